@@ -1,0 +1,31 @@
+#pragma once
+
+#include <ostream>
+
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/model/plan.h"
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+
+namespace fourwis
+{
+
+/// The colour a mode has in pictures, as #rrggbb.
+const char* colour_of(Mode mode);
+
+/// What a picture of a plan shows. References must outlive the call they are passed to.
+struct PlanPicture
+{
+  const OccupancyGrid& grid;
+  ObstacleRule rule;  ///< which cells are drawn as occupied
+  const Robot& robot;
+  Pose start, goal;  ///< map frame
+  const PlanResult& result;
+};
+
+/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches and a legend. Where
+/// there is no trajectory it shows the question and says why.
+void write_svg(std::ostream& out, const PlanPicture& picture);
+
+}  // namespace fourwis

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/model/pose.h"
+
+namespace fourwis
+{
+
+/// Exact Euclidean distance to the obstacles of a grid. Obstacles are closed squares (the whole cell, not its centre) and
+/// everything outside the grid.
+class ObstacleMap
+{
+public:
+  /// Throws std::invalid_argument naming the field when the grid is unusable: see check_grid().
+  explicit ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule = {});
+
+  /// Distance from a point in the map frame to the nearest obstacle [m]; 0 inside one and outside the grid.
+  double distance(double x, double y) const;
+
+  /// Whether distance(x, y) >= radius, faster. Lowers `clearance` to a lower bound of distance(x, y) - radius, no less
+  /// than 0, where that is smaller.
+  bool is_clear(double x, double y, double radius, double& clearance) const;
+  bool is_clear(double x, double y, double radius) const;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  double resolution() const { return resolution_; }
+  const Pose& origin() const { return origin_; }
+
+  /// Least distance between any point of the cell and any obstacle [m]. The cell must lie in the grid.
+  double cell_distance(int column, int row) const { return field_[index(column, row)]; }
+
+  /// Position in cells of a point in the map frame: (0, 0) is the origin, (1, 1) the far corner of cell (0, 0).
+  void to_cells(double x, double y, double& column, double& row) const;
+
+private:
+  std::size_t index(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
+  }
+  double exact_cells(double u, double v, double limit) const;
+
+  int width_, height_;
+  double resolution_;
+  Pose origin_;
+  double cos_, sin_;
+  std::vector<float> field_;               ///< square to square, rounded down [m]
+  std::vector<std::uint16_t> left_, right_;  ///< cells to the nearest obstacle of the same row, either side; 0 on one
+};
+
+/// Throws std::invalid_argument naming field, value and what was expected when a grid is unusable: no cells, data size not
+/// width x height, resolution not positive and finite, origin not finite.
+void check_grid(const OccupancyGrid& grid);
+
+}  // namespace fourwis

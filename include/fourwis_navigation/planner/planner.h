@@ -1,0 +1,65 @@
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "fourwis_navigation/map/obstacle_map.h"
+#include "fourwis_navigation/model/interrupt.h"
+#include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/model/plan.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/search/search_options.h"
+
+namespace fourwis
+{
+
+struct PlannerOptions
+{
+  ObstacleRule obstacles;
+  SearchOptions search;
+  VerifyOptions verify;
+  double planner_patience = 5.0;  ///< wall-clock deadline of one plan [s]; then PlanStatus::timeout
+};
+
+/// What the stages leave behind for somebody who wants to look at them; filled only when asked for.
+struct PlanTrace
+{
+  std::vector<Pose> expanded;  ///< nodes of the search in the order of expansion
+};
+
+/// A grid with everything that can be computed from it once. Immutable; share it between plans and threads.
+struct World
+{
+  World(const OccupancyGrid& grid, const Robot& robot, const PlannerOptions& options);  ///< throws std::invalid_argument
+
+  OccupancyGrid grid;
+  ObstacleMap obstacles;
+  Referee referee;
+  double build_ms;  ///< how long building all this took, wall clock
+
+private:
+  World(const OccupancyGrid& grid, const Robot& robot, const PlannerOptions& options,
+        std::chrono::steady_clock::time_point begin);
+};
+
+/// grid -> search -> path -> trajectory -> verify. Deterministic: same input, same output; only an Interrupt depends on
+/// the clock. One planner may be used from several threads.
+class Planner
+{
+public:
+  Planner(const Robot& robot, const PlannerOptions& options);
+
+  /// Never throws on a request, whatever is in it.
+  PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
+                  PlanTrace* trace = nullptr) const;
+
+  const Robot& robot() const { return robot_; }
+  const PlannerOptions& options() const { return options_; }
+
+private:
+  Robot robot_;
+  PlannerOptions options_;
+};
+
+}  // namespace fourwis

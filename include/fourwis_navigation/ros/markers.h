@@ -1,0 +1,22 @@
+#pragma once
+
+#include <std_msgs/Header.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "fourwis_navigation/model/plan.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/planner/planner.h"
+
+namespace fourwis
+{
+
+/// What rviz shows of a plan: path and footprints coloured by mode (ackermann blue, lateral orange, parallel green), start
+/// (grey), goal (red) and the places where the modes switch (magenta). Always the same namespaces and ids, so that a plan
+/// replaces the one before it.
+visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanRequest& request,
+                                             const Trajectory& trajectory, const std_msgs::Header& header);
+
+/// The nodes that the search expanded, as points.
+visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header);
+
+}  // namespace fourwis

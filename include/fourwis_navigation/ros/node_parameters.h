@@ -1,0 +1,79 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/parameters/parameters.h"
+
+namespace fourwis
+{
+
+/// Where the start pose of a plan comes from.
+enum class StartFrom
+{
+  tf,           ///< where tf has robot_base_frame in global_frame
+  initial_pose  ///< the last message on `initialpose`
+};
+
+/// The keys of `config/global_planner.yaml`, in the private namespace of global_planner_node.
+struct GlobalPlannerOptions
+{
+  std::string global_frame = "map";            ///< frame of the map and of everything published
+  std::string robot_base_frame = "base_link";  ///< the robot's centre
+  double transform_tolerance = 0.5;            ///< greatest age of the robot's transform [s]
+  StartFrom start_from = StartFrom::tf;
+  ModeSet modes;                               ///< what goals are planned with
+  bool show_expansions = false;                ///< draw the nodes that the search expanded
+};
+
+/// Everything that global_planner_node is configured with.
+struct GlobalPlannerParameters
+{
+  Robot robot;
+  PlannerOptions planner;
+  GlobalPlannerOptions node;
+};
+
+/// Flattens a struct of the parameter server; numbers become double. Throws ConfigError, naming the key, for what has no
+/// place in a ParameterMap: lists, dates, binary data.
+ParameterMap to_parameters(const XmlRpc::XmlRpcValue& value);
+
+/// Everything under the handle's namespace.
+ParameterMap read_parameters(const ros::NodeHandle& node);
+
+/// Takes keys out of a list one by one, so that what nobody took is known in the end.
+class KeyReader
+{
+public:
+  explicit KeyReader(ParameterMap parameters) : parameters_(std::move(parameters)) {}
+
+  // Each throws ConfigError naming the key when it is missing, has another type, or is out of range.
+  std::string text(const std::string& key);
+  std::string text(const std::string& key, const std::string& fallback);
+  double number(const std::string& key, double min, double max, const std::string& unit);
+  double number(const std::string& key, double min, double max, const std::string& unit, double fallback);
+  bool flag(const std::string& key);
+
+  /// All keys below `name/`, without that prefix.
+  ParameterMap group(const std::string& name);
+  /// Keys that may be there and are for somebody else.
+  void ignore(const std::vector<std::string>& keys);
+  /// Throws ConfigError naming the first key that nobody took.
+  void finish() const;
+
+private:
+  bool has(const std::string& key) const { return parameters_.count(key) != 0; }
+  ParameterValue take(const std::string& key);
+
+  ParameterMap parameters_;
+  std::vector<std::string> known_;
+};
+
+/// The whole private namespace of the planner's node: its own keys, `robot/...` and `planner/...`. Throws ConfigError.
+GlobalPlannerParameters global_planner_parameters_from(const ParameterMap& parameters);
+
+}  // namespace fourwis

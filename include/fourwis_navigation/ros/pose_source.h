@@ -1,0 +1,46 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <tf2/buffer_core.h>
+
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/ros/node_parameters.h"
+
+namespace fourwis
+{
+
+/// Poses in the global frame: the robot's, and whatever others ask for. Never waits: what tf does not know now is refused.
+/// Safe to use from several threads at once. All functions throw ConversionError with a sentence for the user.
+class PoseSource
+{
+public:
+  /// `tf` must outlive this.
+  PoseSource(const GlobalPlannerOptions& options, const tf2::BufferCore& tf);
+
+  /// `name` is what the pose is called in errors. A pose in another frame goes through the newest transform, whatever its
+  /// own stamp, as move_base does.
+  Pose to_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const;
+
+  /// Where the robot is: from tf and at most `transform_tolerance` old at `now`, or the last initial pose.
+  Pose robot(const ros::Time& now) const;
+
+  /// A refused pose leaves the one before in place.
+  void set_initial(const geometry_msgs::PoseWithCovarianceStamped& pose);
+
+private:
+  Pose robot_from_tf(const ros::Time& now) const;
+  /// Newest transform that takes poses in `frame` to the global frame.
+  geometry_msgs::TransformStamped lookup(const std::string& frame, const std::string& name) const;
+
+  const GlobalPlannerOptions options_;
+  const tf2::BufferCore& tf_;
+  mutable std::mutex mutex_;
+  std::optional<Pose> initial_;
+};
+
+}  // namespace fourwis

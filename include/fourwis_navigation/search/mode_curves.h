@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/model/path.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/search/motion_cost.h"
+#include "fourwis_navigation/search/search_options.h"
+
+namespace fourwis
+{
+
+/// A curve from one pose to another, obstacles not considered.
+struct ModeCurve
+{
+  static constexpr int kMaxPieces = 6;
+  std::array<PathPiece, kMaxPieces> pieces;  ///< `start` is unset until place() is called
+  int count = 0;
+  double cost = 0.0;  ///< of the pieces and of the switches before and between them
+
+  void append(Mode mode, double phi, double length)
+  {
+    pieces[static_cast<std::size_t>(count++)] = {mode, {}, phi, length};
+  }
+};
+
+/// The multi-modal Reeds-Shepp curves of the paper's section III-A.2 and curves of two modes: an arc that turns the robot to
+/// the goal's heading and a parallel straight line, in either order.
+class ModeCurves
+{
+public:
+  /// Keeps references: all must outlive this object.
+  ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes);
+
+  /// Appends every candidate from `from`, where the robot is in `mode` after `previous` (may be null), to `goal`.
+  void candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal,
+                  std::vector<ModeCurve>& curves) const;
+
+  /// Sets the start poses of a curve's pieces from the pose of the first one.
+  void place(const Pose& from, ModeCurve& curve) const;
+
+  /// Least length of curves to the goal, with C_switch for each switch [m]: the bracket of paper eq. (17). Infinite where
+  /// no mode gets there.
+  double length_with_switches(const Pose& from, Mode mode, const Pose& goal) const;
+
+private:
+  void append_reeds_shepp(const Pose& relative, Mode mode, std::vector<ModeCurve>& curves) const;
+  void append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const;
+  void append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const;
+  double curve_cost(const ModeCurve& curve, Mode mode, const PathPiece* previous) const;
+
+  const Robot& robot_;
+  const SearchOptions& options_;
+  const MotionCost& cost_;
+  const ModeSet& modes_;
+};
+
+}  // namespace fourwis

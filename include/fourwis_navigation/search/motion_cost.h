@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fourwis_navigation/model/path.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/search/search_options.h"
+
+namespace fourwis
+{
+
+/// What the search charges, in metres: paper eq. (15) and (16). Terms that the paper charges per primitive of length
+/// v_ref dt are charged in proportion to length, so that pieces of any length compare.
+class MotionCost
+{
+public:
+  MotionCost(const Robot& robot, const SearchOptions& options);
+
+  /// Cost of driving a piece after `previous`, which may be null (at the start, or just after a switch at rest, when the
+  /// wheels have been turned already).
+  double piece(const PathPiece& piece, const PathPiece* previous) const;
+
+  /// C_switch; the velocity term is halved at the start, where the robot is at rest anyway. Zero without switching
+  /// awareness.
+  double mode_switch(bool at_start) const { return at_start ? switch_at_start_ : switch_; }
+
+private:
+  const SearchOptions& options_;
+  double per_metre_;
+  double switch_;
+  double switch_at_start_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+
+namespace fourwis
+{
+
+/// Velocity of the body in its own frame: vx, vy [m/s], omega [rad/s].
+struct Twist
+{
+  double vx = 0.0, vy = 0.0, omega = 0.0;
+};
+
+/// Body twist of a mode at speed v and equivalent steering angle phi, paper eq. (5) to (7). Zero for modes that are not
+/// planned.
+Twist body_twist(const Robot& robot, Mode mode, double v, double phi);
+
+/// d theta / d s of a mode at equivalent steering angle phi [1/m]: 2 tan(phi)/L, 2 tan(phi)/W, 0.
+double curvature(const Robot& robot, Mode mode, double phi);
+
+/// Greatest curvature of a mode [1/m], first two rows of paper eq. (14); 0 in parallel mode.
+double max_curvature(const Robot& robot, Mode mode);
+
+/// Direction in which C moves for v > 0, relative to the heading [rad]: 0, pi/2, phi.
+double course(Mode mode, double phi);
+
+/// Where the robot is after driving the signed arc length s [m] from `start` with phi held: the exact arc. theta is not
+/// wrapped.
+Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s);
+
+}  // namespace fourwis

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything and runs all tests. Exits non-zero when one fails or when none ran.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+
+"$root/scripts/install_dependencies.sh" build exec test
+"$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON all tests
+
+source "$root/scripts/environment.sh"
+# Nothing of a running robot is touched: each rostest has a master of its own on this machine, logs stay in build/.
+unset ROS_IP ROS_MASTER_URI ROS_NAMESPACE
+export ROS_HOSTNAME=localhost ROS_HOME=$build/ros_home
+
+rm -rf "$build/test_results"
+cd "$build"
+ctest --output-on-failure --no-tests=error --timeout 300 --parallel "$(nproc)"

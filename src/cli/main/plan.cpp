@@ -1,0 +1,8 @@
+#include <iostream>
+
+#include "fourwis_navigation/cli/plan_command.h"
+
+int main(int argc, char** argv)
+{
+  return fourwis::plan_command(argc, argv, std::cout, std::cerr);
+}

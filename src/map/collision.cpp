@@ -1,0 +1,53 @@
+#include "fourwis_navigation/map/collision.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fourwis_navigation/vehicle/kinematics.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Shortest stride along a motion where the safety margin is small or zero [m].
+constexpr double kLeastStride = 0.01;
+
+}  // namespace
+
+CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
+  : map_(map), robot_(robot), discs_(two_discs(robot)), stride_(std::max(kLeastStride, robot.safety_margin))
+{
+}
+
+bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
+{
+  const double ox = discs_.offset * cosine, oy = discs_.offset * sine;
+  return map_.is_clear(x + ox, y + oy, discs_.radius, clearance) && map_.is_clear(x - ox, y - oy, discs_.radius, clearance);
+}
+
+bool CollisionChecker::is_free(const Pose& pose) const
+{
+  double clearance = 0.0;
+  return is_free(pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta), clearance);
+}
+
+double CollisionChecker::free_length(const PathPiece& piece) const
+{
+  const double total = std::abs(piece.length), direction = piece.length < 0.0 ? -1.0 : 1.0;
+  const double kappa = curvature(robot_, piece.mode, piece.phi);
+  // A disc centre moves at most this much for each metre that C does.
+  const double stretch = 1.0 + std::abs(kappa) * discs_.offset;
+  double free = 0.0;
+  for (double s = 0.0;;)
+  {
+    const Pose pose = advance(robot_, piece.start, piece.mode, piece.phi, direction * s);
+    double clearance = 1e9;
+    if (!is_free(pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta), clearance)) return free;
+    free = s;
+    if (s >= total) return total;
+    s = std::min(total, s + std::max(stride_, clearance) / stretch);
+  }
+}
+
+}  // namespace fourwis

@@ -1,0 +1,224 @@
+#include "fourwis_navigation/map/obstacle_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
+
+/// Cells to the nearest obstacle of the same row, looking along `step` from each cell; 0 on an obstacle.
+void scan_row(const std::uint8_t* obstacle, int begin, int end, int step, std::uint16_t* cells)
+{
+  std::uint16_t distance = kNone;
+  for (int i = begin; i != end; i += step)
+  {
+    distance = obstacle[i] ? 0 : static_cast<std::uint16_t>(std::min<int>(distance + 1, kNone));
+    cells[i] = distance;
+  }
+}
+
+/// Lower envelope of the parabolas (q - i)^2 + squared[i] over one row: Felzenszwalb and Huttenlocher, "Distance
+/// transforms of sampled functions", 2012.
+class LowerEnvelope
+{
+public:
+  explicit LowerEnvelope(int size)
+    : squared_(static_cast<std::size_t>(size)), vertex_(static_cast<std::size_t>(size)),
+      bound_(static_cast<std::size_t>(size) + 1)
+  {
+  }
+
+  /// Replaces row[i], the square of the distance in i's column, by the square of the distance in the plane.
+  void apply(float* row, float infinity)
+  {
+    const int n = static_cast<int>(squared_.size());
+    std::copy(row, row + n, squared_.begin());
+    int last = -1;
+    for (int q = 0; q < n; ++q)
+      if (squared_[at(q)] < infinity) last = push(q, last);
+    if (last < 0) return;
+    for (int q = 0, k = 0; q < n; ++q)
+    {
+      while (k < last && bound_[at(k + 1)] < q) ++k;
+      const float d = static_cast<float>(q - vertex_[at(k)]);
+      row[q] = d * d + squared_[at(vertex_[at(k)])];
+    }
+  }
+
+private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  int push(int q, int last)
+  {
+    double from = -std::numeric_limits<double>::infinity();
+    while (last >= 0)
+    {
+      const int p = vertex_[at(last)];
+      const double rise = static_cast<double>(squared_[at(q)]) - squared_[at(p)];
+      from = (rise + static_cast<double>(q + p) * (q - p)) / (2.0 * (q - p));
+      if (from > bound_[at(last)]) break;
+      --last;
+    }
+    if (last < 0) from = -std::numeric_limits<double>::infinity();
+    ++last;
+    vertex_[at(last)] = q;
+    bound_[at(last)] = from;
+    return last;
+  }
+
+  std::vector<float> squared_;
+  std::vector<int> vertex_;
+  std::vector<double> bound_;
+};
+
+/// Distance of every cell's square to the nearest obstacle square [cells]. The gap between two squares is the distance
+/// between the one's centre and the nearest of the 3 x 3 centres around the other, so obstacles grow by one cell first.
+void square_distances(const std::vector<std::uint8_t>& obstacle, int width, int height, std::vector<float>& field)
+{
+  const std::size_t w = static_cast<std::size_t>(width);
+  const float infinity = 1e12f;
+  std::vector<std::uint8_t> grown_in_row(w);
+  field.assign(w * static_cast<std::size_t>(height), infinity);
+  for (int j = 0; j < height; ++j)
+  {
+    const std::uint8_t* row = &obstacle[static_cast<std::size_t>(j) * w];
+    for (int i = 0; i < width; ++i)
+      grown_in_row[static_cast<std::size_t>(i)] = row[i] || (i > 0 && row[i - 1]) || (i + 1 < width && row[i + 1]);
+    for (int k = std::max(0, j - 1); k <= std::min(height - 1, j + 1); ++k)
+      for (std::size_t i = 0; i < w; ++i)
+        if (grown_in_row[i]) field[static_cast<std::size_t>(k) * w + i] = 0.0f;
+  }
+
+  const auto relax_from = [&](int j, int neighbour) {
+    float* row = &field[static_cast<std::size_t>(j) * w];
+    const float* other = &field[static_cast<std::size_t>(neighbour) * w];
+    for (std::size_t i = 0; i < w; ++i) row[i] = std::min(row[i], other[i] + 1.0f);
+  };
+  for (int j = 1; j < height; ++j) relax_from(j, j - 1);
+  for (int j = height - 2; j >= 0; --j) relax_from(j, j + 1);
+
+  LowerEnvelope envelope(width);
+  for (int j = 0; j < height; ++j)
+  {
+    float* row = &field[static_cast<std::size_t>(j) * w];
+    for (std::size_t i = 0; i < w; ++i) row[i] = row[i] < infinity ? row[i] * row[i] : infinity;
+    envelope.apply(row, infinity);
+  }
+}
+
+[[noreturn]] void refuse(const std::string& sentence)
+{
+  throw std::invalid_argument("occupancy grid: " + sentence);
+}
+
+}  // namespace
+
+void check_grid(const OccupancyGrid& grid)
+{
+  if (grid.width <= 0 || grid.height <= 0)
+    refuse("width x height is " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
+           ", expected at least 1 x 1 cells");
+  const std::size_t cells = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
+  if (grid.data.size() != cells)
+    refuse("data has " + std::to_string(grid.data.size()) + " cells, expected width x height = " +
+           std::to_string(cells));
+  if (!std::isfinite(grid.resolution) || grid.resolution <= 0.0)
+    refuse("resolution is " + std::to_string(grid.resolution) + " m, expected a positive number");
+  if (!is_finite(grid.origin)) refuse("origin is not finite");
+}
+
+ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)
+  : width_(grid.width), height_(grid.height), resolution_(grid.resolution), origin_(grid.origin),
+    cos_(std::cos(grid.origin.theta)), sin_(std::sin(grid.origin.theta))
+{
+  check_grid(grid);
+  std::vector<std::uint8_t> obstacle(grid.data.size());
+  for (std::size_t i = 0; i < obstacle.size(); ++i) obstacle[i] = rule.is_obstacle(grid.data[i]);
+
+  left_.resize(obstacle.size());
+  right_.resize(obstacle.size());
+  for (int j = 0; j < height_; ++j)
+  {
+    scan_row(&obstacle[index(0, j)], 0, width_, 1, &left_[index(0, j)]);
+    scan_row(&obstacle[index(0, j)], width_ - 1, -1, -1, &right_[index(0, j)]);
+  }
+
+  square_distances(obstacle, width_, height_, field_);
+  const float rounding = 1.0f - 1e-6f;  // a lower bound in spite of single precision
+  for (int j = 0; j < height_; ++j)
+    for (int i = 0; i < width_; ++i)
+    {
+      const int border = std::min(std::min(i, width_ - 1 - i), std::min(j, height_ - 1 - j));
+      const float cells = std::min(std::sqrt(field_[index(i, j)]), static_cast<float>(border));
+      field_[index(i, j)] = cells * static_cast<float>(resolution_) * rounding;
+    }
+}
+
+void ObstacleMap::to_cells(double x, double y, double& column, double& row) const
+{
+  const double dx = x - origin_.x, dy = y - origin_.y;
+  column = (cos_ * dx + sin_ * dy) / resolution_;
+  row = (-sin_ * dx + cos_ * dy) / resolution_;
+}
+
+double ObstacleMap::exact_cells(double u, double v, double limit) const
+{
+  const int column = std::min(static_cast<int>(u), width_ - 1);
+  const int centre_row = std::min(static_cast<int>(v), height_ - 1);
+  double best = std::min({limit, u, width_ - u, v, height_ - v});
+  double best_squared = best * best;
+
+  const auto look = [&](int row, double dy) {
+    const std::size_t cell = index(column, row);
+    const int left = left_[cell], right = right_[cell];
+    const double dx = left == 0 ? 0.0 : std::min(u - (column - left + 1), column + right - u);
+    best_squared = std::min(best_squared, dx * dx + dy * dy);
+  };
+  look(centre_row, 0.0);
+  for (int step = 1;; ++step)
+  {
+    const double up = centre_row + step - v, down = v - (centre_row - step + 1);
+    const bool look_up = up * up < best_squared && centre_row + step < height_;
+    const bool look_down = down * down < best_squared && centre_row - step >= 0;
+    if (!look_up && !look_down) break;
+    if (look_up) look(centre_row + step, up);
+    if (look_down) look(centre_row - step, down);
+  }
+  return std::sqrt(best_squared);
+}
+
+double ObstacleMap::distance(double x, double y) const
+{
+  double u, v;
+  to_cells(x, y, u, v);
+  if (!(u >= 0.0 && v >= 0.0 && u <= width_ && v <= height_)) return 0.0;
+  return exact_cells(u, v, std::numeric_limits<double>::infinity()) * resolution_;
+}
+
+bool ObstacleMap::is_clear(double x, double y, double radius) const
+{
+  double clearance = 0.0;
+  return is_clear(x, y, radius, clearance);
+}
+
+bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance) const
+{
+  double u, v;
+  to_cells(x, y, u, v);
+  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return false;
+  const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))];
+  clearance = std::min(clearance, std::max(0.0, bound - radius));
+  if (bound >= radius) return true;
+  if (bound + M_SQRT2 * resolution_ * (1.0 + 1e-5) < radius) return false;
+  const double limit = radius / resolution_;
+  return exact_cells(u, v, limit) >= limit;
+}
+
+}  // namespace fourwis

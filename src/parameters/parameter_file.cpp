@@ -1,0 +1,104 @@
+#include <exception>
+#include <string>
+
+#include <yaml-cpp/yaml.h>
+
+#include "fourwis_navigation/parameters/parameters.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Anchors allow a YAML map to contain itself; no configuration of ours is nested deeper.
+constexpr int kMaxDepth = 8;
+
+[[noreturn]] void refuse(const std::string& path, const YAML::Mark& mark, const std::string& what)
+{
+  const std::string line = mark.is_null() ? "" : ":" + std::to_string(mark.line + 1);
+  throw ConfigError(path + line + ": " + what);
+}
+
+/// The type a plain scalar has in YAML 1.1, which is also what rosparam loads; quoted scalars are strings.
+ParameterValue value_of(const YAML::Node& scalar)
+{
+  const bool quoted = scalar.Tag() == "!";
+  bool flag = false;
+  double number = 0.0;
+  if (!quoted && YAML::convert<double>::decode(scalar, number)) return number;
+  // yaml-cpp also takes y and n for booleans, rosparam does not.
+  if (!quoted && scalar.Scalar().size() > 1 && YAML::convert<bool>::decode(scalar, flag)) return flag;
+  return scalar.Scalar();
+}
+
+void flatten(const std::string& path, const std::string& prefix, const YAML::Node& map, int depth, ParameterMap& out)
+{
+  if (depth > kMaxDepth) refuse(path, map.Mark(), "maps nested deeper than " + std::to_string(kMaxDepth) + " levels");
+  for (const auto& entry : map)
+  {
+    if (!entry.first.IsScalar()) refuse(path, entry.first.Mark(), "a key must be a plain word");
+    const std::string key = prefix + entry.first.Scalar();
+    if (entry.second.IsMap())
+    {
+      flatten(path, key + "/", entry.second, depth + 1, out);
+      continue;
+    }
+    if (!entry.second.IsScalar())
+      refuse(path, entry.first.Mark(), "parameter '" + key + "' has no single value, expected a number or a word");
+    if (!out.emplace(key, value_of(entry.second)).second)
+      refuse(path, entry.first.Mark(), "parameter '" + key + "' appears twice, expected once");
+  }
+}
+
+YAML::Node load(const std::string& path)
+{
+  try
+  {
+    return YAML::LoadFile(path);
+  }
+  catch (const YAML::ParserException& error)
+  {
+    refuse(path, error.mark, "not YAML: " + error.msg);
+  }
+  catch (const std::exception&)  // missing, or a directory
+  {
+    throw ConfigError(path + ": cannot be read, expected a YAML file");
+  }
+}
+
+template <class Options>
+Options from_file(const std::string& path, Options (*convert)(const ParameterMap&))
+{
+  const ParameterMap parameters = read_parameter_file(path);
+  try
+  {
+    return convert(parameters);
+  }
+  catch (const ConfigError& error)
+  {
+    throw ConfigError(path + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+ParameterMap read_parameter_file(const std::string& path)
+{
+  const YAML::Node root = load(path);
+  if (!root.IsMap()) throw ConfigError(path + ": holds no parameters, expected lines of the form 'key: value'");
+  ParameterMap parameters;
+  flatten(path, "", root, 1, parameters);
+  return parameters;
+}
+
+Robot read_robot_file(const std::string& path)
+{
+  return from_file(path, robot_from);
+}
+
+PlannerOptions read_planner_file(const std::string& path)
+{
+  return from_file(path, planner_options_from);
+}
+
+}  // namespace fourwis

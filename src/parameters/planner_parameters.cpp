@@ -1,0 +1,69 @@
+#include "parameter_table.h"
+
+namespace fourwis
+{
+namespace
+{
+
+template <class Value>
+auto obstacles(Value ObstacleRule::*member)
+{
+  return [member](PlannerOptions& options) -> Slot { return &(options.obstacles.*member); };
+}
+
+template <class Value>
+auto search(Value SearchOptions::*member)
+{
+  return [member](PlannerOptions& options) -> Slot { return &(options.search.*member); };
+}
+
+template <class Value>
+auto verify(Value VerifyOptions::*member)
+{
+  return [member](PlannerOptions& options) -> Slot { return &(options.verify.*member); };
+}
+
+template <class Value>
+auto planner(Value PlannerOptions::*member)
+{
+  return [member](PlannerOptions& options) -> Slot { return &(options.*member); };
+}
+
+const ParameterTable<PlannerOptions>& planner_table()
+{
+  static const ParameterTable<PlannerOptions> table = {
+    {"occupied_threshold", obstacles(&ObstacleRule::occupied_threshold), 1, 100, "percent"},
+    {"unknown_is_obstacle", obstacles(&ObstacleRule::unknown_is_obstacle)},
+
+    {"reference_speed", search(&SearchOptions::reference_speed), 0.01, 20.0, "m/s"},
+    {"step_time", search(&SearchOptions::step_time), 0.01, 10.0, "s"},
+    {"reverse_penalty", search(&SearchOptions::reverse_penalty), 0.0, 1000.0, "m"},
+    {"lateral_reverse_penalty", search(&SearchOptions::lateral_reverse_penalty), 0.0, 1000.0, "m"},
+    {"steering_penalty", search(&SearchOptions::steering_penalty), 0.0, 1000.0, "m/rad"},
+    {"parallel_steering_penalty", search(&SearchOptions::parallel_steering_penalty), 0.0, 1000.0, "m/rad"},
+    {"steering_change_penalty", search(&SearchOptions::steering_change_penalty), 0.0, 1000.0, "m/rad"},
+    {"direction_change_penalty", search(&SearchOptions::direction_change_penalty), 0.0, 1000.0, "m"},
+    {"heuristic_weight", search(&SearchOptions::heuristic_weight), 0.0, 100.0},
+    {"terminal_connection", search(&SearchOptions::terminal_connection)},
+    {"switching_awareness", search(&SearchOptions::switching_awareness)},
+    {"xy_resolution", search(&SearchOptions::xy_resolution), 0.01, 5.0, "m"},
+    {"heading_resolution", search(&SearchOptions::heading_resolution), 0.01, 1.6, "rad"},
+    {"xy_goal_tolerance", search(&SearchOptions::xy_goal_tolerance), 0.001, 5.0, "m"},
+    {"yaw_goal_tolerance", search(&SearchOptions::yaw_goal_tolerance), 0.001, 3.15, "rad"},
+    {"max_expansions", search(&SearchOptions::max_expansions), 1, 1e9},
+
+    // The referee's other tolerances are the meaning of a trajectory, not a matter of taste.
+    {"collision_step", verify(&VerifyOptions::collision_step), 0.0005, 0.01, "m"},
+    {"planner_patience", planner(&PlannerOptions::planner_patience), 0.001, 3600.0, "s"},
+  };
+  return table;
+}
+
+}  // namespace
+
+PlannerOptions planner_options_from(const ParameterMap& parameters)
+{
+  return options_from(planner_table(), parameters);
+}
+
+}  // namespace fourwis

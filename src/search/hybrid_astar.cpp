@@ -1,0 +1,318 @@
+#include "fourwis_navigation/search/hybrid_astar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <queue>
+
+#include "closed_list.h"
+#include "fourwis_navigation/search/goal_distance.h"
+#include "fourwis_navigation/search/mode_curves.h"
+#include "fourwis_navigation/search/motion_cost.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// A primitive that does not fit is tried at these fractions of its length.
+constexpr std::array<double, 3> kFractions = {1.0, 0.5, 0.25};
+/// Directions of travel sampled on entering parallel motion, when the wheels are free to be turned anywhere.
+constexpr int kFan = 12;
+/// Of them, this many that lead closest to the goal are tried.
+constexpr int kFanTried = 4;
+/// Curves tried in one terminal connection, cheapest first.
+constexpr std::size_t kCurvesTried = 12;
+/// Beyond the first path the goal distance is known this much further [m].
+constexpr double kFieldSlack = 4.0;
+
+struct Node
+{
+  PathPiece piece;  ///< driven from the parent to here; length 0 for a switch and at the start
+  Pose pose;
+  double g = 0.0;
+  double h = 0.0;
+  int parent = -1;
+  Mode mode = Mode::none;
+};
+
+struct OpenEntry
+{
+  double f;
+  int node;
+  bool operator<(const OpenEntry& other) const { return f != other.f ? f > other.f : node < other.node; }
+};
+
+class Search
+{
+public:
+  Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request)
+    : checker_(checker), robot_(robot), options_(options), request_(request), cost_(robot, options),
+      curves_(robot, options, cost_, request.modes), distance_(checker, request.start, request.goal, kFieldSlack)
+  {
+  }
+
+  SearchResult run(const Interrupt& interrupt, std::vector<Pose>* expanded)
+  {
+    if (!distance_.reaches_start()) return finish(PlanStatus::goal_unreachable);
+    push_start();
+    while (const std::optional<int> popped = pop())
+    {
+      if (interrupt.cancelled()) return finish(PlanStatus::cancelled);
+      if (interrupt.timed_out()) return finish(PlanStatus::timeout);
+      if (expansions_ >= options_.max_expansions) return finish(PlanStatus::no_path);
+      const int n = *popped;
+      if (expanded) expanded->push_back(node(n).pose);
+      ++expansions_;
+      if (connects_to_goal(n)) return finish(PlanStatus::succeeded);
+      for (Mode mode : kPlannedModes)
+      {
+        if (!request_.modes.contains(mode)) continue;
+        if (mode == node(n).mode)
+          expand_within_mode(n);
+        else
+          expand_switch(n, mode);
+      }
+    }
+    return finish(PlanStatus::no_path);
+  }
+
+private:
+  const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
+
+  /// The piece before a node, for costs that depend on it; null at the start and after a switch.
+  const PathPiece* previous_piece(int n) const
+  {
+    return node(n).parent >= 0 && node(n).piece.length != 0.0 ? &node(n).piece : nullptr;
+  }
+
+  void push_start()
+  {
+    Node start;
+    start.pose = request_.start;
+    for (Mode mode : kPlannedModes)
+      if (start.mode == Mode::none && request_.modes.contains(mode)) start.mode = mode;
+    start.h = heuristic(start);
+    push(start);
+  }
+
+  /// The node of least f that is still the best of its cell.
+  std::optional<int> pop()
+  {
+    while (!open_.empty())
+    {
+      const int n = open_.top().node;
+      open_.pop();
+      if (closed_[key(node(n))] == n) return n;
+    }
+    return std::nullopt;
+  }
+
+  void push(const Node& candidate)
+  {
+    int& best = closed_[key(candidate)];
+    if (best >= 0 && node(best).g <= candidate.g) return;
+    best = static_cast<int>(nodes_.size());
+    nodes_.push_back(candidate);
+    open_.push({candidate.g + options_.heuristic_weight * candidate.h, best});
+  }
+
+  /// Cell of (x, y, theta, mode), and of the direction of travel in parallel mode.
+  std::uint64_t key(const Node& n) const
+  {
+    const double turns = n.pose.theta / (2.0 * M_PI);
+    const double heading = (turns - std::floor(turns)) * 2.0 * M_PI;
+    std::uint64_t direction = 0;
+    if (n.mode == Mode::parallel)
+    {
+      direction = kFan;  // wheels free to choose
+      if (n.piece.length != 0.0)
+        direction = static_cast<std::uint64_t>(std::lround(course_of(n.piece) * kFan / (2.0 * M_PI)) + kFan) % kFan;
+    }
+    const auto cell = [](double value, double size) {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) & 0xFFFFF);
+    };
+    return cell(n.pose.x - request_.goal.x, options_.xy_resolution) |
+           cell(n.pose.y - request_.goal.y, options_.xy_resolution) << 20 |
+           cell(heading, options_.heading_resolution) << 40 | static_cast<std::uint64_t>(n.mode) << 56 | direction << 59;
+  }
+
+  /// Direction of travel relative to the heading of a parallel piece.
+  static double course_of(const PathPiece& piece) { return piece.length < 0.0 ? piece.phi + M_PI : piece.phi; }
+
+  double heuristic(const Node& n) const
+  {
+    const double around = distance_(n.pose.x, n.pose.y);
+    if (!options_.terminal_connection) return around;
+    const double straight = distance(n.pose, request_.goal);
+    if (straight > near_goal_) return around;
+    return std::max(around, curves_.length_with_switches(n.pose, n.mode, request_.goal));
+  }
+
+  // --- paper Algorithm 1, lines 6 to 13 --------------------------------------------------------------------------
+  bool connects_to_goal(int n)
+  {
+    if (!options_.terminal_connection) return is_within_tolerance(n);
+    if (--until_connection_ > 0) return false;
+    until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * options_.primitive_length()));
+
+    candidates_.clear();
+    curves_.candidates(node(n).pose, node(n).mode, previous_piece(n), request_.goal, candidates_);
+    const std::size_t tried = std::min(kCurvesTried, candidates_.size());
+    std::partial_sort(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(tried), candidates_.end(),
+                      [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
+    for (std::size_t i = 0; i < tried; ++i)
+    {
+      curves_.place(node(n).pose, candidates_[i]);
+      if (!is_free(candidates_[i])) continue;
+      last_ = n;
+      connection_ = candidates_[i];
+      return true;
+    }
+    return false;
+  }
+
+  bool is_within_tolerance(int n)
+  {
+    if (distance(node(n).pose, request_.goal) > options_.xy_goal_tolerance ||
+        std::abs(wrap_angle(node(n).pose.theta - request_.goal.theta)) > options_.yaw_goal_tolerance)
+      return false;
+    last_ = n;
+    return true;
+  }
+
+  bool is_free(const ModeCurve& curve) const
+  {
+    for (int i = 0; i < curve.count; ++i)
+      if (!checker_.is_free(curve.pieces[static_cast<std::size_t>(i)])) return false;
+    return true;
+  }
+
+  // --- paper Algorithm 1, lines 15 to 26 -------------------------------------------------------------------------
+  void expand_within_mode(int n)
+  {
+    if (node(n).mode == Mode::parallel)
+    {
+      expand_parallel(n);
+      return;
+    }
+    const double phi_max = robot_.max_steering_angle;
+    for (double phi : {0.0, phi_max, -phi_max})
+      for (double direction : {1.0, -1.0}) push_primitive(n, phi, direction);
+  }
+
+  void expand_parallel(int n)
+  {
+    if (node(n).piece.length != 0.0)
+    {
+      const double course = course_of(node(n).piece);
+      for (int turn : {0, 1, -1, 3, -3}) push_translation(n, course + turn * 2.0 * M_PI / kFan);
+      return;
+    }
+    // Just switched, the wheels point wherever we want: the directions that lead closest to the goal, and straight at it.
+    std::array<std::pair<double, double>, kFan> fan;
+    const Pose pose = node(n).pose;
+    const double length = options_.primitive_length();
+    for (int i = 0; i < kFan; ++i)
+    {
+      const double course = i * 2.0 * M_PI / kFan, direction = pose.theta + course;
+      fan[static_cast<std::size_t>(i)] = {distance_(pose.x + length * std::cos(direction), pose.y + length * std::sin(direction)), course};
+    }
+    std::sort(fan.begin(), fan.end());
+    for (std::size_t i = 0; i < kFanTried; ++i) push_translation(n, fan[i].second);
+    const Pose goal = relative_to(pose, request_.goal);
+    push_translation(n, std::atan2(goal.y, goal.x));
+  }
+
+  void push_translation(int n, double course)
+  {
+    course = wrap_angle(course);
+    const bool backward = std::abs(course) > M_PI_2 + 1e-9;
+    push_primitive(n, backward ? wrap_angle(course + M_PI) : course, backward ? -1.0 : 1.0);
+  }
+
+  void push_primitive(int n, double phi, double direction)
+  {
+    const double full = options_.primitive_length();
+    PathPiece piece{node(n).mode, node(n).pose, phi, direction * full};
+    const double free = checker_.free_length(piece);
+    for (double fraction : kFractions)
+    {
+      if (fraction * full > free + 1e-12) continue;
+      piece.length = direction * fraction * full;
+      Node next;
+      next.piece = piece;
+      next.pose = advance(robot_, piece.start, piece.mode, phi, piece.length);
+      next.g = node(n).g + cost_.piece(piece, previous_piece(n));
+      next.parent = n;
+      next.mode = piece.mode;
+      const int best = closed_[key(next)];
+      if (best >= 0 && node(best).g <= next.g) return;
+      next.h = heuristic(next);
+      push(next);
+      return;
+    }
+  }
+
+  void expand_switch(int n, Mode mode)
+  {
+    if (node(n).parent >= 0 && node(n).piece.length == 0.0) return;  // one switch at a place is enough
+    Node next;
+    next.piece = {mode, node(n).pose, 0.0, 0.0};
+    next.pose = node(n).pose;
+    next.g = node(n).g + cost_.mode_switch(node(n).parent < 0);
+    next.parent = n;
+    next.mode = mode;
+    next.h = heuristic(next);
+    push(next);
+  }
+
+  SearchResult finish(PlanStatus status) const
+  {
+    SearchResult result;
+    result.status = status;
+    result.expansions = expansions_;
+    if (status != PlanStatus::succeeded) return result;
+    std::vector<PathPiece>& pieces = result.path.pieces;
+    for (int n = last_; n >= 0; n = node(n).parent)
+      if (node(n).piece.length != 0.0) pieces.push_back(node(n).piece);
+    std::reverse(pieces.begin(), pieces.end());
+    pieces.insert(pieces.end(), connection_.pieces.begin(), connection_.pieces.begin() + connection_.count);
+    result.path.goal = pieces.empty() ? request_.start
+                                      : advance(robot_, pieces.back().start, pieces.back().mode, pieces.back().phi,
+                                                pieces.back().length);
+    result.path.cost = node(last_).g + connection_.cost;
+    return result;
+  }
+
+  const CollisionChecker& checker_;
+  const Robot& robot_;
+  const SearchOptions& options_;
+  const PlanRequest& request_;
+  const MotionCost cost_;
+  const ModeCurves curves_;
+  const GoalDistance distance_;
+  const double near_goal_ = 4.0;
+
+  std::vector<Node> nodes_;
+  std::priority_queue<OpenEntry> open_;
+  ClosedList closed_;
+  std::vector<ModeCurve> candidates_;
+  ModeCurve connection_;
+  int last_ = -1;
+  int expansions_ = 0;
+  int until_connection_ = 0;
+};
+
+}  // namespace
+
+SearchResult hybrid_astar(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
+                          const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+{
+  return Search(checker, robot, options, request).run(interrupt, expanded);
+}
+
+}  // namespace fourwis

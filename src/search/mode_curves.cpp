@@ -1,0 +1,165 @@
+#include "fourwis_navigation/search/mode_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fourwis_navigation/search/reeds_shepp.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Parallel motion cannot turn, so it connects only poses of one heading; this much rounding is passed over [rad].
+constexpr double kSameHeading = 1e-4;
+/// Shorter pieces are rounding [m].
+constexpr double kNoLength = 1e-9;
+constexpr Mode kTurningModes[] = {Mode::ackermann, Mode::lateral};
+
+/// The goal as Reeds and Shepp see it: the mode's forward axis is x, the turning radius is one.
+Pose in_turning_radii(const Pose& relative, Mode mode, double kappa)
+{
+  if (mode == Mode::lateral) return {relative.y * kappa, -relative.x * kappa, relative.theta};
+  return {relative.x * kappa, relative.y * kappa, relative.theta};
+}
+
+/// Wheel angle in [-pi/2, pi/2] and signed length of the straight line to (x, y) in the body frame.
+void append_straight(double x, double y, ModeCurve& curve)
+{
+  const double length = std::hypot(x, y);
+  if (length < kNoLength) return;
+  const bool backward = x < 0.0;
+  curve.append(Mode::parallel, backward ? std::atan2(-y, -x) : std::atan2(y, x), backward ? -length : length);
+}
+
+}  // namespace
+
+ModeCurves::ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes)
+  : robot_(robot), options_(options), cost_(cost), modes_(modes)
+{
+}
+
+void ModeCurves::candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal,
+                            std::vector<ModeCurve>& curves) const
+{
+  const std::size_t first = curves.size();
+  Pose relative = relative_to(from, goal);
+  relative.theta = wrap_angle(relative.theta);
+  for (Mode turning : kTurningModes)
+    if (modes_.contains(turning))
+    {
+      append_reeds_shepp(relative, turning, curves);
+      if (modes_.parallel) append_turn_and_translate(relative, turning, curves);
+    }
+  if (modes_.parallel) append_parallel(relative, curves);
+  for (std::size_t i = first; i < curves.size(); ++i) curves[i].cost = curve_cost(curves[i], mode, previous);
+}
+
+void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, std::vector<ModeCurve>& curves) const
+{
+  const double kappa = max_curvature(robot_, mode);
+  ReedsSheppWords words;
+  reeds_shepp_words(in_turning_radii(relative, mode, kappa), words);
+  for (int w = 0; w < words.count; ++w)
+  {
+    const ReedsSheppPath& word = words.paths[static_cast<std::size_t>(w)];
+    ModeCurve curve;
+    for (int i = 0; i < word.count; ++i)
+    {
+      const ReedsSheppSegment& segment = word.segments[static_cast<std::size_t>(i)];
+      if (std::abs(segment.length) > kNoLength)
+        curve.append(mode, segment.turn * robot_.max_steering_angle, segment.length / kappa);
+    }
+    curves.push_back(curve);
+  }
+}
+
+void ModeCurves::append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const
+{
+  if (std::abs(relative.theta) > kSameHeading) return;
+  ModeCurve curve;
+  append_straight(relative.x, relative.y, curve);
+  curves.push_back(curve);
+}
+
+void ModeCurves::append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const
+{
+  if (std::abs(relative.theta) <= kSameHeading) return;
+  const double kappa = max_curvature(robot_, turning);
+  for (double direction : {1.0, -1.0})
+  {
+    // Forward, a turn to the left needs phi > 0; backward, phi < 0.
+    const double length = direction * std::abs(relative.theta) / kappa;
+    const double phi = std::copysign(robot_.max_steering_angle, relative.theta * direction);
+    const Pose turned = advance(robot_, {}, turning, phi, length);
+
+    ModeCurve turn_first;
+    turn_first.append(turning, phi, length);
+    const Pose rest = relative_to(turned, relative);
+    append_straight(rest.x, rest.y, turn_first);
+    curves.push_back(turn_first);
+
+    ModeCurve turn_last;
+    const Pose turn_begins = compose(relative, relative_to(turned, Pose{}));
+    append_straight(turn_begins.x, turn_begins.y, turn_last);
+    turn_last.append(turning, phi, length);
+    curves.push_back(turn_last);
+  }
+}
+
+double ModeCurves::curve_cost(const ModeCurve& curve, Mode mode, const PathPiece* previous) const
+{
+  double cost = 0.0;
+  for (int i = 0; i < curve.count; ++i)
+  {
+    const PathPiece& piece = curve.pieces[static_cast<std::size_t>(i)];
+    if (piece.mode != mode)
+    {
+      cost += cost_.mode_switch(false);
+      previous = nullptr;
+      mode = piece.mode;
+    }
+    cost += cost_.piece(piece, previous);
+    previous = &piece;
+  }
+  return cost;
+}
+
+void ModeCurves::place(const Pose& from, ModeCurve& curve) const
+{
+  Pose pose = from;
+  for (int i = 0; i < curve.count; ++i)
+  {
+    PathPiece& piece = curve.pieces[static_cast<std::size_t>(i)];
+    piece.start = pose;
+    pose = advance(robot_, pose, piece.mode, piece.phi, piece.length);
+  }
+}
+
+double ModeCurves::length_with_switches(const Pose& from, Mode mode, const Pose& goal) const
+{
+  Pose relative = relative_to(from, goal);
+  relative.theta = wrap_angle(relative.theta);
+  double least = std::numeric_limits<double>::infinity();
+  const double change = cost_.mode_switch(false);
+  const bool same_heading = std::abs(relative.theta) <= kSameHeading;
+  if (modes_.parallel && same_heading)
+    least = std::hypot(relative.x, relative.y) + (mode == Mode::parallel ? 0.0 : change);
+  for (Mode turning : kTurningModes)
+  {
+    if (!modes_.contains(turning)) continue;
+    const double kappa = max_curvature(robot_, turning);
+    const double length = reeds_shepp_length(in_turning_radii(relative, turning, kappa)) / kappa;
+    least = std::min(least, length + (mode == turning ? 0.0 : change));
+    if (!modes_.parallel || same_heading) continue;
+    const double turn = std::abs(relative.theta) / kappa;
+    const double straight = std::max(0.0, std::hypot(relative.x, relative.y) - turn);
+    const int switches = mode == turning || mode == Mode::parallel ? 1 : 2;
+    least = std::min(least, turn + straight + switches * change);
+  }
+  return least;
+}
+
+}  // namespace fourwis
