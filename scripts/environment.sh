@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by the other scripts: the system's python before any other (catkin, roslaunch and rostest want its modules),
 # and ROS where it is not part of the system.
 export PATH=/usr/bin:$PATH

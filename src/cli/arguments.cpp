@@ -1,6 +1,5 @@
 #include "fourwis_navigation/cli/arguments.h"
 
-#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <optional>
@@ -111,19 +110,32 @@ void add_options(CLI::App& app, PlanArguments& arguments, RawOptions& raw)
 }
 
 /// What CLI11 does not check.
-void convert(PlanArguments& arguments, const RawOptions& raw)
+void convert(const CLI::App& app, const RawOptions& raw, PlanArguments& arguments)
 {
   if (arguments.map.empty() == arguments.octomap.empty())
     throw CLI::RequiredError("exactly one of --map MAP.yaml and --octomap FILE.bt");
   arguments.start = pose_in("--start", raw.start);
   arguments.goal = pose_in("--goal", raw.goal);
-  if (!raw.modes.empty()) arguments.modes = modes_in(raw.modes);
-  if (!raw.height_min.empty()) arguments.band.min = height_in("--height-min", raw.height_min);
-  if (!raw.height_max.empty()) arguments.band.max = height_in("--height-max", raw.height_max);
+  if (app.count("--modes") > 0) arguments.modes = modes_in(raw.modes);
+  if (app.count("--height-min") > 0) arguments.band.min = height_in("--height-min", raw.height_min);
+  if (app.count("--height-max") > 0) arguments.band.max = height_in("--height-max", raw.height_max);
   if (!(arguments.band.min < arguments.band.max))
-    refuse("--height-max", raw.height_max, "more than --height-min (" + std::to_string(arguments.band.min) + " m)");
+    throw CLI::ValidationError("--height-max", "expected to be greater than --height-min");
   if (arguments.csv == "-") refuse("--csv", "-", "a file: only --json writes to the standard output");
   if (arguments.svg == "-") refuse("--svg", "-", "a file: only --json writes to the standard output");
+}
+
+/// Where the JSON shall go, whatever is wrong with the other arguments.
+std::string json_file_in(int argc, const char* const* argv)
+{
+  const std::string option = "--json";
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    if (word == option && i + 1 < argc) return argv[i + 1];
+    if (word.compare(0, option.size() + 1, option + "=") == 0) return word.substr(option.size() + 1);
+  }
+  return "";
 }
 
 }  // namespace
@@ -138,7 +150,7 @@ PlanArguments parse_arguments(int argc, const char* const* argv)
   try
   {
     app.parse(argc, argv);
-    convert(arguments, raw);
+    convert(app, raw, arguments);
   }
   catch (const CLI::CallForHelp&)
   {
@@ -146,7 +158,7 @@ PlanArguments parse_arguments(int argc, const char* const* argv)
   }
   catch (const CLI::Error& error)
   {
-    throw UsageError(error.what(), arguments.json);
+    throw UsageError(error.what(), json_file_in(argc, argv));
   }
   return arguments;
 }

@@ -20,7 +20,7 @@ public:
   {
   }
 
-  std::size_t count() const { return count_; }
+  long long count() const { return count_; }
 
   /// A node of a .bt file that has children: two bits for each, 0 unknown, 1 free, 2 occupied, 3 has children.
   void binary(int depth)
@@ -70,7 +70,7 @@ private:
   const InputFile& file_;
   std::size_t position_;
   std::size_t payload_;
-  std::size_t count_ = 0;
+  long long count_ = 0;
 };
 
 /// Reads "key value" lines up to "data"; unknown keys and comments are skipped, as the library does.
@@ -88,8 +88,8 @@ void read_fields(std::istream& lines, OctomapHeader& header)
     }
     if (key == "id")
       words >> header.id;
-    else if (key == "size")
-      words >> header.nodes;
+    else if (key == "size" && !(words >> header.nodes))
+      header.nodes = -1;
     else if (key == "res")
       words >> header.resolution;
   }
@@ -110,6 +110,8 @@ OctomapHeader read_octomap_header(const InputFile& file)
   read_fields(lines, header);
   if (header.data == 0 || header.data > file.bytes.size())
     file.refuse("data", "missing, expected the nodes after the header");
+  if (header.nodes < 0)
+    file.refuse("size", "expected a number of nodes");
   if (!(header.resolution > 0.0) || !std::isfinite(header.resolution * (1 << tree_depth)))
     file.refuse("res", "expected a finite number above 0");
   if (header.id != "OcTree" && header.id != "ColorOcTree" && header.id != "OcTreeStamped")

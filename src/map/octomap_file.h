@@ -13,7 +13,7 @@ struct OctomapHeader
 {
   bool is_binary = false;   ///< .bt, two bits per child, rather than .ot, every node in full
   std::string id;           ///< type of the tree
-  std::size_t nodes = 0;    ///< as many as the header announces
+  long long nodes = -1;     ///< as many as the header announces
   double resolution = 0.0;  ///< [m]
   std::size_t data = 0;     ///< position of the first node
 };

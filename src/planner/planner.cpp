@@ -7,7 +7,7 @@
 #include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/planner/metrics.h"
 #include "fourwis_navigation/planner/stop_and_steer.h"
-#include "fourwis_navigation/search/hybrid_astar.h"
+#include "fourwis_navigation/search/front_end.h"
 
 namespace fourwis
 {
@@ -71,8 +71,7 @@ std::string search_sentence(const SearchResult& found, const PlanRequest& reques
 Trajectory stay_at(const Pose& pose, const ModeSet& modes)
 {
   TrajectoryPoint point;
-  for (Mode mode : kPlannedModes)
-    if (point.mode == Mode::none && modes.contains(mode)) point.mode = mode;
+  point.mode = modes.first();
   point.x = pose.x;
   point.y = pose.y;
   point.theta = pose.theta;
@@ -122,7 +121,8 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
   else
   {
     const Interrupt patience = interrupt.or_after(options_.planner_patience);
-    SearchResult found = hybrid_astar(checker, robot_, options_.search, request, patience, trace ? &trace->expanded : nullptr);
+    SearchResult found =
+        find_path(checker, robot_, options_.search, request, patience, trace ? &trace->expanded : nullptr);
     result.metrics.expansions = found.expansions;
     result.path = std::move(found.path);
     if (found.status != PlanStatus::succeeded)

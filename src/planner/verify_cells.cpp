@@ -50,7 +50,7 @@ struct LeftSide
   }
 
   /// Least u among the points of the box between two heights.
-  double within(double low, double high) const { return at(std::clamp(corner_v, low, high)); }
+  double within(double low, double high) const { return at(std::min(std::max(corner_v, low), high)); }
 
   double corner_u, corner_v, top_u, upper_slope, lower_slope;
 };
@@ -155,7 +155,7 @@ double ObstacleCells::clearance(const Box& box, double cap) const
   for (int row = first; row <= last; ++row)
   {
     const double low = std::max(row - box.v, -reach_v), high = std::min(row + 1 - box.v, reach_v);
-    look_at_row(box, row, static_cast<int>(box.u + left.within(std::min(low, high), high)), best);
+    look_at_row(box, row, static_cast<int>(box.u + left.within(low, high)), best);
   }
   for (int row = last + 1; row < height_ && row - (box.v + reach_v) < best; ++row)
     look_at_row(box, row, static_cast<int>(box.u + left.top_u), best);

@@ -10,12 +10,40 @@ namespace fourwis
 namespace
 {
 
-constexpr double kCell = 0.1;               ///< wanted side of a cell [m]
+constexpr double kCellSize = 0.1;            ///< wanted side of a cell [m]
 constexpr int kStraight = 5, kDiagonal = 7;  ///< integer lengths of steps; 7/5 < sqrt(2)
+constexpr double kOctileExcess = 1.0824;     ///< longest 8-connected path over the straight line
 constexpr float kUnseen = std::numeric_limits<float>::infinity();
-constexpr double kOctileExcess = 1.0824;    ///< longest 8-connected path over the straight line
+constexpr int kInterruptInterval = 4096;     ///< cells settled between two looks at the interrupt
 
-/// Least clearance C can have where the robot fits at some heading: both discs of radius r_c touch one point.
+/// A priority queue for steps of small integer lengths: a ring of buckets.
+class BucketQueue
+{
+public:
+  void push(int distance, int cell)
+  {
+    bucket(distance).push_back(cell);
+    ++size_;
+  }
+  bool empty() const { return size_ == 0; }
+
+  /// Hands out every cell pushed for `distance`, also those that are pushed meanwhile.
+  template <typename Visit>
+  void drain(int distance, Visit visit)
+  {
+    std::vector<int>& cells = bucket(distance);
+    for (std::size_t k = 0; k < cells.size(); ++k, --size_) visit(cells[k]);
+    cells.clear();
+  }
+
+private:
+  std::vector<int>& bucket(int distance) { return buckets_[static_cast<std::size_t>(distance) % buckets_.size()]; }
+
+  std::array<std::vector<int>, kDiagonal + 1> buckets_;
+  std::size_t size_ = 0;
+};
+
+/// Least clearance C can have where the robot fits at some heading: both disc centres r_c from one point.
 double least_clearance(const TwoDiscs& discs)
 {
   return std::sqrt(std::max(0.0, discs.radius * discs.radius - discs.offset * discs.offset));
@@ -23,81 +51,69 @@ double least_clearance(const TwoDiscs& discs)
 
 }  // namespace
 
-GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack)
-  : map_(checker.map()), factor_(std::max(1, static_cast<int>(std::lround(kCell / map_.resolution()))))
+CoarseCells::CoarseCells(const ObstacleMap& map, double wanted_size)
+  : map_(map), factor_(std::max(1, static_cast<int>(std::lround(wanted_size / map.resolution())))),
+    width_((map.width() + factor_ - 1) / factor_), height_((map.height() + factor_ - 1) / factor_),
+    size_(factor_ * map.resolution())
 {
-  width_ = (map_.width() + factor_ - 1) / factor_;
-  height_ = (map_.height() + factor_ - 1) / factor_;
-  cell_size_ = factor_ * map_.resolution();
-  field_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kUnseen);
-
-  // A cell is passed through if any point in it may be far enough from all obstacles.
-  const double needed = least_clearance(checker.discs()) - M_SQRT2 * map_.resolution();
-  const auto passable = [&](int column, int row) {
-    for (int j = row * factor_; j < std::min(map_.height(), (row + 1) * factor_); ++j)
-      for (int i = column * factor_; i < std::min(map_.width(), (column + 1) * factor_); ++i)
-        if (map_.cell_distance(i, j) >= needed) return true;
-    return false;
-  };
-
-  // Steps are small integers, so a ring of buckets is a priority queue.
-  std::array<std::vector<int>, kDiagonal + 1> buckets;
-  const std::size_t start_cell = cell(start.x, start.y), goal_cell = cell(goal.x, goal.y);
-  field_[goal_cell] = 0.0f;
-  buckets[0].push_back(static_cast<int>(goal_cell));
-  int pending = 1, distance = 0, stop_at = std::numeric_limits<int>::max();
-  const double unit = cell_size_ / kStraight;
-  std::vector<std::int8_t> known(field_.size(), -1);
-  for (; pending > 0 && distance <= stop_at; ++distance)
-  {
-    std::vector<int>& bucket = buckets[static_cast<std::size_t>(distance) % buckets.size()];
-    for (std::size_t k = 0; k < bucket.size(); ++k)
-    {
-      const int here = bucket[k];
-      --pending;
-      if (field_[static_cast<std::size_t>(here)] != static_cast<float>(distance)) continue;
-      if (static_cast<std::size_t>(here) == start_cell && !reaches_start_)
-      {
-        reaches_start_ = true;
-        stop_at = distance + static_cast<int>(slack / unit);
-      }
-      const int column = here % width_, row = here / width_;
-      for (int dj = -1; dj <= 1; ++dj)
-        for (int di = -1; di <= 1; ++di)
-        {
-          const int i = column + di, j = row + dj;
-          if (i < 0 || j < 0 || i >= width_ || j >= height_) continue;
-          const std::size_t next = static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i);
-          const int reach = distance + (di != 0 && dj != 0 ? kDiagonal : kStraight);
-          if (field_[next] <= static_cast<float>(reach)) continue;
-          if (known[next] < 0) known[next] = passable(i, j);
-          if (!known[next]) continue;
-          field_[next] = static_cast<float>(reach);
-          buckets[static_cast<std::size_t>(reach) % buckets.size()].push_back(static_cast<int>(next));
-          ++pending;
-        }
-    }
-    bucket.clear();
-  }
-
-  beyond_ = pending > 0 ? static_cast<float>(distance) : kUnseen;
-  const float metres = static_cast<float>(unit / kOctileExcess), rounding = static_cast<float>(M_SQRT2 * cell_size_);
-  const auto shorten = [&](float value) { return std::max(0.0f, std::min(value, beyond_) * metres - rounding); };
-  for (float& value : field_) value = shorten(value);
 }
 
-std::size_t GoalDistance::cell(double x, double y) const
+int CoarseCells::index(double x, double y) const
 {
   double u, v;
   map_.to_cells(x, y, u, v);
   const int column = std::clamp(static_cast<int>(u) / factor_, 0, width_ - 1);
   const int row = std::clamp(static_cast<int>(v) / factor_, 0, height_ - 1);
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
+  return row * width_ + column;
 }
 
-double GoalDistance::operator()(double x, double y) const
+Pose CoarseCells::centre(int index) const
 {
-  return field_[cell(x, y)];
+  return compose(map_.origin(), {(index % width_ + 0.5) * size_, (index / width_ + 0.5) * size_, 0.0});
+}
+
+bool GoalDistance::is_passable(const CollisionChecker& checker, int cell) const
+{
+  // No point of the cell is further from the obstacles than its centre by more than half its diagonal.
+  const Pose centre = cells_.centre(cell);
+  return checker.map().is_clear(centre.x, centre.y, least_clearance(checker.discs()) - M_SQRT1_2 * cells_.size());
+}
+
+GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack,
+                           const Interrupt& interrupt)
+  : cells_(checker.map(), kCellSize), field_(cells_.count(), kUnseen)
+{
+  const int start_cell = cells_.index(start.x, start.y), goal_cell = cells_.index(goal.x, goal.y);
+  const double unit = cells_.size() / kStraight;
+  std::vector<std::int8_t> passable(cells_.count(), -1);  // -1 not asked yet
+  passable[static_cast<std::size_t>(start_cell)] = 1;
+  BucketQueue queue;
+  field_[static_cast<std::size_t>(goal_cell)] = 0.0f;
+  queue.push(0, goal_cell);
+  int distance = 0, last_distance = std::numeric_limits<int>::max() - 1, settled = 0;
+  for (; !queue.empty() && distance <= last_distance; ++distance)
+    queue.drain(distance, [&](int here) {
+      if (field_[static_cast<std::size_t>(here)] != static_cast<float>(distance)) return;
+      if (++settled % kInterruptInterval == 0 && (interrupt.cancelled() || interrupt.timed_out())) last_distance = -1;
+      if (here == start_cell)
+      {
+        reaches_start_ = true;
+        last_distance = std::min(last_distance, distance + static_cast<int>(slack / unit));
+      }
+      cells_.for_neighbours(here, [&](int next_cell, bool diagonal) {
+        const std::size_t next = static_cast<std::size_t>(next_cell);
+        const int reach = distance + (diagonal ? kDiagonal : kStraight);
+        if (field_[next] <= static_cast<float>(reach)) return;
+        if (passable[next] < 0) passable[next] = is_passable(checker, next_cell);
+        if (!passable[next]) return;
+        field_[next] = static_cast<float>(reach);
+        queue.push(reach, next_cell);
+      });
+    });
+
+  const float edge = queue.empty() ? kUnseen : static_cast<float>(distance);
+  const float metres = static_cast<float>(unit / kOctileExcess), rounding = static_cast<float>(M_SQRT2 * cells_.size());
+  for (float& value : field_) value = std::max(0.0f, std::min(value, edge) * metres - rounding);
 }
 
 }  // namespace fourwis

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 
 #include "closed_list.h"
-#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/mode_curves.h"
 #include "fourwis_navigation/search/motion_cost.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
@@ -26,8 +24,8 @@ constexpr int kFan = 12;
 constexpr int kFanTried = 4;
 /// Curves tried in one terminal connection, cheapest first.
 constexpr std::size_t kCurvesTried = 12;
-/// Beyond the first path the goal distance is known this much further [m].
-constexpr double kFieldSlack = 4.0;
+/// The curves to the goal matter to the heuristic this close to it [m]; further away the obstacles do.
+constexpr double kNearGoal = 4.0;
 
 struct Node
 {
@@ -49,15 +47,15 @@ struct OpenEntry
 class Search
 {
 public:
-  Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request)
+  Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request,
+         const GoalDistance& distance_to_goal)
     : checker_(checker), robot_(robot), options_(options), request_(request), cost_(robot, options),
-      curves_(robot, options, cost_, request.modes), distance_(checker, request.start, request.goal, kFieldSlack)
+      curves_(robot, options, cost_, request.modes), distance_(distance_to_goal)
   {
   }
 
   SearchResult run(const Interrupt& interrupt, std::vector<Pose>* expanded)
   {
-    if (!distance_.reaches_start()) return finish(PlanStatus::goal_unreachable);
     push_start();
     while (const std::optional<int> popped = pop())
     {
@@ -93,8 +91,7 @@ private:
   {
     Node start;
     start.pose = request_.start;
-    for (Mode mode : kPlannedModes)
-      if (start.mode == Mode::none && request_.modes.contains(mode)) start.mode = mode;
+    start.mode = request_.modes.first();
     start.h = heuristic(start);
     push(start);
   }
@@ -148,7 +145,7 @@ private:
     const double around = distance_(n.pose.x, n.pose.y);
     if (!options_.terminal_connection) return around;
     const double straight = distance(n.pose, request_.goal);
-    if (straight > near_goal_) return around;
+    if (straight > kNearGoal) return around;
     return std::max(around, curves_.length_with_switches(n.pose, n.mode, request_.goal));
   }
 
@@ -167,7 +164,7 @@ private:
     for (std::size_t i = 0; i < tried; ++i)
     {
       curves_.place(node(n).pose, candidates_[i]);
-      if (!is_free(candidates_[i])) continue;
+      if (!is_free(checker_, candidates_[i])) continue;
       last_ = n;
       connection_ = candidates_[i];
       return true;
@@ -181,13 +178,6 @@ private:
         std::abs(wrap_angle(node(n).pose.theta - request_.goal.theta)) > options_.yaw_goal_tolerance)
       return false;
     last_ = n;
-    return true;
-  }
-
-  bool is_free(const ModeCurve& curve) const
-  {
-    for (int i = 0; i < curve.count; ++i)
-      if (!checker_.is_free(curve.pieces[static_cast<std::size_t>(i)])) return false;
     return true;
   }
 
@@ -294,8 +284,7 @@ private:
   const PlanRequest& request_;
   const MotionCost cost_;
   const ModeCurves curves_;
-  const GoalDistance distance_;
-  const double near_goal_ = 4.0;
+  const GoalDistance& distance_;
 
   std::vector<Node> nodes_;
   std::priority_queue<OpenEntry> open_;
@@ -310,9 +299,10 @@ private:
 }  // namespace
 
 SearchResult hybrid_astar(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                          const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+                          const PlanRequest& request, const GoalDistance& distance, const Interrupt& interrupt,
+                          std::vector<Pose>* expanded)
 {
-  return Search(checker, robot, options, request).run(interrupt, expanded);
+  return Search(checker, robot, options, request, distance).run(interrupt, expanded);
 }
 
 }  // namespace fourwis

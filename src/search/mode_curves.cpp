@@ -134,8 +134,13 @@ void ModeCurves::place(const Pose& from, ModeCurve& curve) const
   {
     PathPiece& piece = curve.pieces[static_cast<std::size_t>(i)];
     piece.start = pose;
-    pose = advance(robot_, pose, piece.mode, piece.phi, piece.length);
+    pose = end_of(piece);
   }
+}
+
+Pose ModeCurves::end_of(const PathPiece& piece) const
+{
+  return advance(robot_, piece.start, piece.mode, piece.phi, piece.length);
 }
 
 double ModeCurves::length_with_switches(const Pose& from, Mode mode, const Pose& goal) const
@@ -160,6 +165,13 @@ double ModeCurves::length_with_switches(const Pose& from, Mode mode, const Pose&
     least = std::min(least, turn + straight + switches * change);
   }
   return least;
+}
+
+bool is_free(const CollisionChecker& checker, const ModeCurve& curve)
+{
+  for (int i = 0; i < curve.count; ++i)
+    if (!checker.is_free(curve.pieces[static_cast<std::size_t>(i)])) return false;
+  return true;
 }
 
 }  // namespace fourwis

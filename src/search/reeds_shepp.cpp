@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 // Letters as in the paper: L, R, S turn left, right or not, + is forward, - backward; t, u, v are the lengths that are
-// not fixed. (xi, eta) leads from the centre of the first circle to that of the last; its length r alone fixes all but t
-// and v, and turning it by theta turns t. So the inverse functions are needed once for each of four pairs of circles,
-// and the 48 words are sums of angles. Departures from the paper, where (8.3), (8.4) and (8.11) are misprinted: those
-// were derived anew from the triangle or kite of the centres, and (8.7), (8.8) do without its tau and omega.
+// not fixed. (xi, eta) leads from the centre of the first circle to that of the last. Its length r alone fixes all but
+// t and v, and its direction theta is added to t. So the inverse functions are needed once for each of four pairs of
+// circles, and the 48 words are sums of angles. (8.3), (8.4) and (8.11), which are misprinted in the paper, follow from
+// the triangles of the centres, and so do (8.7) and (8.8), in place of the paper's tau and omega.
 
 namespace fourwis
 {
@@ -96,91 +96,57 @@ Ends ends(double t, double a, int k, int sign, double slack)
   return {t, sign * v, std::abs(shifted - t) <= tolerance};
 }
 
-// (8.1) L+ S+ L+
-template <typename Sink>
-void lp_sp_lp(const View& view, const SameCentres& c, Sink& sink)
-{
-  if (const Ends e = ends(view.theta_same, view.phi, -1, 1, c.slack); e.found)
-    sink(view, {{L, e.t}, {S, c.r}, {L, e.v}});
-}
+using Segment = ReedsSheppSegment;
+using Segments = std::initializer_list<Segment>;
 
-// (8.2) L+ S+ R+
+// The formulas, which tell `sink` of the words they find.
 template <typename Sink>
-void lp_sp_rp(const View& view, const OppositeCentres& c, Sink& sink)
+struct Formulas
 {
-  if (c.tangent < 0.0)
-    return;
-  if (const Ends e = ends(view.theta_opposite + c.beta, view.phi, 1, 1, c.slack); e.found)
-    sink(view, {{L, e.t}, {S, c.tangent}, {R, e.v}});
-}
+  const View& view;
+  const SameCentres& same;
+  const OppositeCentres& opposite;
+  Sink& sink;
 
-// (8.3) L+ R- L+ and (8.4) L+ R- L-; read backwards the former is itself.
-template <typename Sink>
-void lp_rm_l(const View& view, const SameCentres& c, Sink& sink)
-{
-  if (c.middle < 0.0)
-    return;
-  const double t = view.theta_same + pi - 0.5 * c.middle, a = view.phi - c.middle;
-  if (const Ends e = ends(t, a, -1, 1, c.slack); e.found && !view.backwards)
-    sink(view, {{L, e.t}, {R, -c.middle}, {L, e.v}});
-  if (const Ends e = ends(t, a, -1, -1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, -c.middle}, {L, e.v}});
-}
+  // A word from L+ to `last`: t is by `turn` more than theta, v is t - a for R and a - t for L and has the given sign.
+  template <typename... Middle>
+  void word(int last, int sign, double turn, double a, Middle... middle)
+  {
+    const double theta = last == L ? view.theta_same : view.theta_opposite;
+    const double slack = last == L ? same.slack : opposite.slack;
+    if (const Ends e = ends(theta + turn, a, -last, sign, slack); e.found)
+      sink(view, {Segment{L, e.t}, middle..., Segment{last, e.v}});
+  }
 
-// (8.7) L+ R+u L-u R-
-template <typename Sink>
-void lp_rup_lum_rm(const View& view, const OppositeCentres& c, Sink& sink)
-{
-  if (c.u_outer < 0.0)
-    return;
-  const double u = c.u_outer;
-  if (const Ends e = ends(view.theta_opposite + half_pi + u, view.phi + 2.0 * u, 1, -1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, u}, {L, -u}, {R, e.v}});
-}
+  // Words that keep their form when they are read backwards.
+  void symmetric_words()
+  {
+    const double phi = view.phi, straight = opposite.tangent, beta = opposite.beta;
+    word(L, 1, 0.0, phi, Segment{S, same.r});  // (8.1) L+ S+ L+
+    if (straight >= 0.0)
+      word(R, 1, beta, phi, Segment{S, straight});  // (8.2) L+ S+ R+
+    if (const double u = -same.middle; u <= 0.0)
+      word(L, 1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.3) L+ R- L+
+    if (const double u = opposite.u_outer; u >= 0.0)
+      word(R, -1, half_pi + u, phi + 2.0 * u, Segment{R, u}, Segment{L, -u});  // (8.7) L+ R+u L-u R-
+    if (const double u = -opposite.u_inner; u <= 0.0)
+      word(R, 1, half_pi + opposite.bend, phi, Segment{R, u}, Segment{L, u});  // (8.8) L+ R-u L-u R+
+    if (const double u = std::min(0.0, 4.0 - straight); straight >= 4.0 - tolerance)  // (8.11) L+ R- S- L- R+
+      word(R, 1, half_pi + beta, phi, Segment{R, -half_pi}, Segment{S, u}, Segment{L, -half_pi});
+  }
 
-// (8.8) L+ R-u L-u R+
-template <typename Sink>
-void lp_rum_lum_rp(const View& view, const OppositeCentres& c, Sink& sink)
-{
-  if (c.u_inner < 0.0)
-    return;
-  const double u = -c.u_inner;
-  if (const Ends e = ends(view.theta_opposite + half_pi + c.bend, view.phi, 1, 1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, u}, {L, u}, {R, e.v}});
-}
-
-// (8.9) L+ R-pi/2 S- L-
-template <typename Sink>
-void lp_rm_sm_lm(const View& view, const SameCentres& c, Sink& sink)
-{
-  if (c.tangent < 2.0 - tolerance)
-    return;
-  const double u = std::min(0.0, 2.0 - c.tangent);
-  if (const Ends e = ends(view.theta_same + half_pi + c.beta, view.phi - half_pi, -1, -1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, -half_pi}, {S, u}, {L, e.v}});
-}
-
-// (8.10) L+ R-pi/2 S- R-
-template <typename Sink>
-void lp_rm_sm_rm(const View& view, const OppositeCentres& c, Sink& sink)
-{
-  if (c.r < 2.0 - tolerance)
-    return;
-  const double u = std::min(0.0, 2.0 - c.r);
-  if (const Ends e = ends(view.theta_opposite + half_pi, view.phi - half_pi, 1, -1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, -half_pi}, {S, u}, {R, e.v}});
-}
-
-// (8.11) L+ R-pi/2 S- L-pi/2 R+
-template <typename Sink>
-void lp_rm_sm_lm_rp(const View& view, const OppositeCentres& c, Sink& sink)
-{
-  if (c.tangent < 4.0 - tolerance)
-    return;
-  const double u = std::min(0.0, 4.0 - c.tangent);
-  if (const Ends e = ends(view.theta_opposite + half_pi + c.beta, view.phi, 1, 1, c.slack); e.found)
-    sink(view, {{L, e.t}, {R, -half_pi}, {S, u}, {L, -half_pi}, {R, e.v}});
-}
+  // Words that are different ones when they are read backwards.
+  void asymmetric_words()
+  {
+    const double phi = view.phi;
+    if (const double u = -same.middle; u <= 0.0)
+      word(L, -1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.4) L+ R- L-
+    if (const double u = std::min(0.0, 2.0 - same.tangent); same.tangent >= 2.0 - tolerance)  // (8.9) L+ R- S- L-
+      word(L, -1, half_pi + same.beta, phi - half_pi, Segment{R, -half_pi}, Segment{S, u});
+    if (const double u = std::min(0.0, 2.0 - opposite.r); opposite.r >= 2.0 - tolerance)  // (8.10) L+ R- S- R-
+      word(R, -1, half_pi, phi - half_pi, Segment{R, -half_pi}, Segment{S, u});
+  }
+};
 
 Centres centres(double xi, double eta)
 {
@@ -214,7 +180,7 @@ OppositeCentres opposite_centres(double xi, double eta)
   if (rho >= -tolerance && rho <= 1.0 + tolerance)
   {
     c.u_inner = std::acos(std::clamp(rho, 0.0, 1.0));
-    c.bend = std::asin(std::min(1.0, 2.0 * std::sin(c.u_inner) / c.r));
+    c.bend = std::asin(2.0 * std::sin(c.u_inner) / c.r);
   }
   return c;
 }
@@ -240,29 +206,20 @@ void every_word(const Pose& goal, Sink& sink)
       const int side = i == 0 ? 1 : -1;
       const double phi = time * side * theta;
       const View view{seen(same[i]), seen(opposite[i]), phi, time, side, false};
-      lp_sp_lp(view, same[i], sink);
-      lp_sp_rp(view, opposite[i], sink);
-      lp_rm_l(view, same[i], sink);
-      lp_rup_lum_rm(view, opposite[i], sink);
-      lp_rum_lum_rp(view, opposite[i], sink);
-      lp_rm_sm_lm(view, same[i], sink);
-      lp_rm_sm_rm(view, opposite[i], sink);
-      lp_rm_sm_lm_rp(view, opposite[i], sink);
+      Formulas<Sink> formulas{view, same[i], opposite[i], sink};
+      formulas.symmetric_words();
+      formulas.asymmetric_words();
       // Backwards, (xi, eta) begins at the goal's circle and is seen from a heading turned by phi.
       const View back{phi - seen(same[i]), phi + seen(opposite[1 - i]), phi, time, side, true};
-      lp_rm_l(back, same[i], sink);
-      lp_rm_sm_lm(back, same[i], sink);
-      lp_rm_sm_rm(back, opposite[1 - i], sink);
+      Formulas<Sink>{back, same[i], opposite[1 - i], sink}.asymmetric_words();
     }
   }
 }
 
-using Segments = std::initializer_list<ReedsSheppSegment>;
-
 double total(Segments segments)
 {
   double length = 0.0;
-  for (const ReedsSheppSegment& segment : segments)
+  for (const Segment& segment : segments)
     length += std::abs(segment.length);
   return length;
 }
@@ -271,7 +228,7 @@ double total(Segments segments)
 ReedsSheppPath read_back(const View& view, Segments segments)
 {
   ReedsSheppPath path;
-  for (const ReedsSheppSegment& segment : segments)
+  for (const Segment& segment : segments)
     if (std::abs(segment.length) > tolerance)
       path.segments[path.count++] = {segment.turn * view.side, segment.length * view.time};
   if (view.backwards)

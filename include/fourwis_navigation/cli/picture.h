@@ -24,8 +24,8 @@ struct PlanPicture
   const PlanResult& result;
 };
 
-/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches and a legend. Where
-/// there is no trajectory it shows the question and says why.
+/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches and a legend.
+/// Where there is no trajectory it shows the question and says why.
 void write_svg(std::ostream& out, const PlanPicture& picture);
 
 }  // namespace fourwis

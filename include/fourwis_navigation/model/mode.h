@@ -61,6 +61,13 @@ struct ModeSet
     parallel |= mode == Mode::parallel;
   }
   bool empty() const { return !ackermann && !lateral && !parallel; }
+  /// The first of them in the order of kPlannedModes; a robot at rest with wheels anywhere starts in it.
+  Mode first() const
+  {
+    for (Mode mode : kPlannedModes)
+      if (contains(mode)) return mode;
+    return Mode::none;
+  }
   static ModeSet none() { return {false, false, false}; }
 };
 

@@ -6,6 +6,7 @@
 #include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/plan.h"
+#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/search_options.h"
 
 namespace fourwis
@@ -18,9 +19,10 @@ struct SearchResult
   int expansions = 0;
 };
 
-/// The front end: Hybrid A* over (x, y, theta, mode), the paper's Algorithm 1. Start and goal must be free. Poses expanded
-/// are appended to `expanded` where it is not null.
+/// Hybrid A* over (x, y, theta, mode), the paper's Algorithm 1. Start and goal must be free. Poses expanded are appended
+/// to `expanded` where it is not null.
 SearchResult hybrid_astar(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                          const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded = nullptr);
+                          const PlanRequest& request, const GoalDistance& distance, const Interrupt& interrupt,
+                          std::vector<Pose>* expanded = nullptr);
 
 }  // namespace fourwis

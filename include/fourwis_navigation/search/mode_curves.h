@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/robot.h"
@@ -41,6 +42,9 @@ public:
   /// Sets the start poses of a curve's pieces from the pose of the first one.
   void place(const Pose& from, ModeCurve& curve) const;
 
+  /// Where a piece ends.
+  Pose end_of(const PathPiece& piece) const;
+
   /// Least length of curves to the goal, with C_switch for each switch [m]: the bracket of paper eq. (17). Infinite where
   /// no mode gets there.
   double length_with_switches(const Pose& from, Mode mode, const Pose& goal) const;
@@ -56,5 +60,8 @@ private:
   const MotionCost& cost_;
   const ModeSet& modes_;
 };
+
+/// Whether all pieces of a placed curve are free.
+bool is_free(const CollisionChecker& checker, const ModeCurve& curve);
 
 }  // namespace fourwis

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "fourwis_navigation/PlannerStatus.h"
+#include "fourwis_navigation/ros/map_planner.h"
+
+namespace fourwis
+{
+
+/// Everything the planner publishes, all of it latched. Only a succeeded plan replaces the one published before; failures
+/// show in the status. Safe to use from several threads at once.
+class PlannerTopics
+{
+public:
+  PlannerTopics(const std::string& global_frame, const Robot& robot, bool show_expansions);
+
+  void publish_planning(const geometry_msgs::PoseStamped& goal);
+  /// Plan and status for an answer to `goal`.
+  void publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer);
+  /// Status only; for what failed without touching the published plan.
+  void publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by, const PlanAnswer& answer);
+  /// Status only; for input that never came to planning. An empty goal: it was about none.
+  void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message);
+
+  std_msgs::Header header() const;
+  fourwis_navigation::PlannerStatus last_status() const;
+
+private:
+  void publish_plan(const PlanAnswer& answer);
+  void publish_expansions(const PlanTrace& trace);
+  fourwis_navigation::PlannerStatus status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const;
+  void publish_status(const fourwis_navigation::PlannerStatus& status);
+
+  const std::string global_frame_;
+  const Robot robot_;
+  const bool show_expansions_;
+  mutable std::mutex mutex_;
+  fourwis_navigation::PlannerStatus last_status_;
+  visualization_msgs::MarkerArray markers_;  ///< of the last plan that succeeded
+  ros::Publisher trajectory_, plan_, frontend_plan_, marker_, corridors_, status_;
+};
+
+}  // namespace fourwis

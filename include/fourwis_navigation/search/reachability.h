@@ -1,0 +1,17 @@
+#pragma once
+
+#include "fourwis_navigation/map/collision.h"
+#include "fourwis_navigation/model/interrupt.h"
+#include "fourwis_navigation/search/goal_distance.h"
+
+namespace fourwis
+{
+
+/// Whether a robot of the two-disc model that could move freely, in any direction and turning on the spot, might get from
+/// start to goal. False is a proof that no plan exists; true is none that one does: cells are taken as free when any pose
+/// in them may be. Floods (x, y, theta mod pi) from both ends until they meet or one is exhausted, so the cost goes with
+/// the smaller side. True when interrupted.
+bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
+                      const Pose& goal, const Interrupt& interrupt);
+
+}  // namespace fourwis

@@ -1,0 +1,177 @@
+#include "fourwis_navigation/cli/plan_command.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/cli/arguments.h"
+#include "fourwis_navigation/cli/output_file.h"
+#include "fourwis_navigation/cli/picture.h"
+#include "fourwis_navigation/cli/report.h"
+#include "fourwis_navigation/map/map_file.h"
+#include "fourwis_navigation/parameters/parameters.h"
+#include "fourwis_navigation/planner/planner.h"
+
+namespace fourwis
+{
+namespace
+{
+
+enum ExitStatus
+{
+  kPlanned = 0,
+  kNoPlan = 1,
+  kUnusableInput = 2
+};
+
+/// The question, read from the files that the arguments name.
+struct Problem
+{
+  OccupancyGrid grid;
+  Robot robot;
+  PlannerOptions options;
+  PlanRequest request;
+};
+
+Problem read_problem(const PlanArguments& arguments)
+{
+  Problem problem;
+  if (!arguments.robot.empty()) problem.robot = read_robot_file(arguments.robot);
+  if (!arguments.planner.empty()) problem.options = read_planner_file(arguments.planner);
+  problem.grid = arguments.octomap.empty() ? read_map_file(arguments.map)
+                                           : project_octomap_file(arguments.octomap, arguments.band);
+  problem.request = {arguments.start, arguments.goal, arguments.modes};
+  return problem;
+}
+
+/// The files asked for; null where there is none. Opened before planning, so that an unusable name costs no time.
+struct Outputs
+{
+  Outputs(const PlanArguments& arguments, std::ostream& standard_output)
+    : csv(open(arguments.csv, nullptr)), svg(open(arguments.svg, nullptr)), json(open(arguments.json, &standard_output))
+  {
+  }
+
+  static std::unique_ptr<OutputFile> open(const std::string& path, std::ostream* standard_output)
+  {
+    return path.empty() ? nullptr : std::make_unique<OutputFile>(path, standard_output);
+  }
+
+  std::unique_ptr<OutputFile> csv, svg, json;
+};
+
+double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
+
+/// Plans `repeat` times from grid to verdict; the times of the answer are medians.
+PlanResult plan_repeatedly(const Problem& problem, int repeat)
+{
+  const Planner planner(problem.robot, problem.options);
+  PlanResult result;
+  std::vector<PlanMetrics> runs;
+  for (int i = 0; i < repeat; ++i)
+  {
+    const World world(problem.grid, problem.robot, problem.options);
+    result = planner.plan(world, problem.request);
+    runs.push_back(result.metrics);
+  }
+  for (double PlanMetrics::*time : {&PlanMetrics::total_ms, &PlanMetrics::map_ms, &PlanMetrics::frontend_ms,
+                                    &PlanMetrics::backend_ms, &PlanMetrics::verify_ms})
+  {
+    std::vector<double> times;
+    for (const PlanMetrics& run : runs) times.push_back(run.*time);
+    result.metrics.*time = median(times);
+  }
+  return result;
+}
+
+void write(const Outputs& outputs, const Problem& problem, const PlanResult& result)
+{
+  const PlanRequest& request = problem.request;
+  if (outputs.csv) write_csv(outputs.csv->stream(), result.trajectory);
+  if (outputs.svg)
+    write_svg(outputs.svg->stream(),
+              {problem.grid, problem.options.obstacles, problem.robot, request.start, request.goal, result});
+  if (outputs.csv) outputs.csv->commit();
+  if (outputs.svg) outputs.svg->commit();
+
+  // Last, because an answer on the standard output cannot be taken back.
+  if (!outputs.json) return;
+  write_json(outputs.json->stream(), result);
+  outputs.json->commit();
+}
+
+/// One line for a person, whatever `text` holds.
+void tell(std::ostream& err, std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  err << "plan: " << text << std::endl;
+}
+
+std::string summary(const PlanResult& result)
+{
+  return std::string(to_string(result.status)) + (result.message.empty() ? "" : ": " + result.message);
+}
+
+/// Reports unusable input on `err` and, where that can be written, as JSON.
+int refuse(const std::string& why, const std::string& json_file, std::ostream& out, std::ostream& err)
+{
+  tell(err, why);
+  if (json_file.empty()) return kUnusableInput;
+  PlanResult result;
+  result.status = PlanStatus::invalid_input;
+  result.message = why;
+  try
+  {
+    OutputFile json(json_file, &out);
+    write_json(json.stream(), result);
+    json.commit();
+  }
+  catch (const OutputError&)
+  {
+    // There is nobody left to tell: `err` has the reason already.
+  }
+  return kUnusableInput;
+}
+
+int run(const PlanArguments& arguments, std::ostream& out, std::ostream& err)
+{
+  const Problem problem = read_problem(arguments);
+  const Outputs outputs(arguments, out);
+  const PlanResult result = plan_repeatedly(problem, arguments.repeat);
+  write(outputs, problem, result);
+  tell(err, summary(result));
+  if (result.status == PlanStatus::succeeded) return kPlanned;
+  return result.status == PlanStatus::invalid_input ? kUnusableInput : kNoPlan;
+}
+
+}  // namespace
+
+int plan_command(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
+{
+  std::string json_file;
+  try
+  {
+    const PlanArguments arguments = parse_arguments(argc, argv);
+    json_file = arguments.json;
+    if (arguments.help.empty()) return run(arguments, out, err);
+    out << arguments.help;
+    return kPlanned;
+  }
+  catch (const UsageError& error)
+  {
+    return refuse(error.what(), error.json, out, err);
+  }
+  catch (const std::exception& error)
+  {
+    return refuse(error.what(), json_file, out, err);
+  }
+}
+
+}  // namespace fourwis

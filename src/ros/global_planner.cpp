@@ -1,0 +1,40 @@
+#include "fourwis_navigation/ros/global_planner.h"
+
+#include "fourwis_navigation/ros/conversions.h"
+
+namespace fourwis
+{
+
+GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
+  : tf_listener_(tf_),
+    topics_(parameters.node.global_frame, parameters.robot, parameters.node.show_expansions),
+    poses_(parameters.node, tf_),
+    maps_(parameters.node.global_frame, parameters.robot, parameters.planner,
+          [this](const std::string& message) { topics_.publish_refusal({}, message); }),
+    planner_(Planner(parameters.robot, parameters.planner), maps_, parameters.node.show_expansions),
+    diagnostics_(maps_, topics_),
+    goals_(poses_, planner_, parameters.node.modes, topics_),
+    services_(poses_, planner_, parameters.node.modes, goals_, topics_)
+{
+  ros::NodeHandle node;
+  map_subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(
+    "map", 10, [this](const nav_msgs::OccupancyGridConstPtr& map) { maps_.add(map); });
+  update_subscriber_ = node.subscribe<map_msgs::OccupancyGridUpdate>(
+    "map_updates", 100, [this](const map_msgs::OccupancyGridUpdateConstPtr& update) { maps_.add(update); });
+  if (parameters.node.start_from == StartFrom::initial_pose)
+    initial_pose_subscriber_ = node.subscribe("initialpose", 10, &GlobalPlanner::on_initial_pose, this);
+}
+
+void GlobalPlanner::on_initial_pose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose)
+{
+  try
+  {
+    poses_.set_initial(*pose);
+  }
+  catch (const ConversionError& error)
+  {
+    topics_.publish_refusal({}, error.what());
+  }
+}
+
+}  // namespace fourwis

@@ -1,0 +1,16 @@
+#include "fourwis_navigation/map/map_file.h"
+#include "fourwis_navigation/ros/map_publisher.h"
+#include "fourwis_navigation/ros/node_main.h"
+
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "map_publisher");
+  return fourwis::node_main(
+    [&]
+    {
+      const auto options = fourwis::map_publisher_options_from(fourwis::read_parameters(ros::NodeHandle("~")),
+                                                               argc > 1 ? argv[1] : "");
+      const fourwis::MapPublisher publisher(fourwis::read_map_file(options.map_file), options.frame_id);
+      ros::spin();
+    });
+}

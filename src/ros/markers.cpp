@@ -1,0 +1,162 @@
+#include "fourwis_navigation/ros/markers.h"
+
+#include <cmath>
+#include <string>
+
+#include "fourwis_navigation/ros/conversions.h"
+
+namespace fourwis
+{
+namespace
+{
+
+using visualization_msgs::Marker;
+
+/// Heights at which things lie above the map, so that what matters more is not hidden [m].
+constexpr double kFootprintHeight = 0.01, kExpansionHeight = 0.02, kPathHeight = 0.03, kEndHeight = 0.04;
+
+/// A footprint is drawn where the robot has moved by this [m] or turned by this [rad] since the one before.
+constexpr double kFootprintStep = 0.4, kFootprintTurn = 0.35;
+
+std_msgs::ColorRGBA colour(float r, float g, float b, float a)
+{
+  std_msgs::ColorRGBA colour;
+  colour.r = r;
+  colour.g = g;
+  colour.b = b;
+  colour.a = a;
+  return colour;
+}
+
+std_msgs::ColorRGBA colour_of(Mode mode, float alpha)
+{
+  switch (mode)
+  {
+    case Mode::ackermann: return colour(0.12f, 0.47f, 0.71f, alpha);
+    case Mode::lateral: return colour(1.0f, 0.5f, 0.05f, alpha);
+    case Mode::parallel: return colour(0.17f, 0.63f, 0.17f, alpha);
+    default: return colour(0.5f, 0.5f, 0.5f, alpha);
+  }
+}
+
+const std_msgs::ColorRGBA kStartColour = colour(0.3f, 0.3f, 0.3f, 1.0f);
+const std_msgs::ColorRGBA kGoalColour = colour(0.84f, 0.15f, 0.16f, 1.0f);
+const std_msgs::ColorRGBA kSwitchColour = colour(0.8f, 0.1f, 0.8f, 1.0f);
+
+geometry_msgs::Point point(const Pose& pose, double height)
+{
+  geometry_msgs::Point point;
+  point.x = pose.x;
+  point.y = pose.y;
+  point.z = height;
+  return point;
+}
+
+Marker marker(const std::string& name, int type, double size, const std_msgs::Header& header)
+{
+  Marker marker;
+  marker.header = header;
+  marker.ns = name;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = size;
+  marker.color = colour(1.0f, 1.0f, 1.0f, 1.0f);
+  return marker;
+}
+
+/// rviz complains about a list without points; what is not there is removed instead.
+Marker finished(Marker marker)
+{
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+  return marker;
+}
+
+void add_line(const Pose& from, const Pose& to, double height, const std_msgs::ColorRGBA& colour, Marker& lines)
+{
+  lines.points.push_back(point(from, height));
+  lines.points.push_back(point(to, height));
+  lines.colors.insert(lines.colors.end(), 2, colour);
+}
+
+/// The body's rectangle and a line from its centre to its front.
+void add_footprint(const Robot& robot, const Pose& pose, double height, const std_msgs::ColorRGBA& colour,
+                   Marker& lines)
+{
+  const double x = robot.length / 2.0, y = robot.width / 2.0;
+  const Pose front_left = compose(pose, {x, y, 0.0}), front_right = compose(pose, {x, -y, 0.0});
+  const Pose rear_left = compose(pose, {-x, y, 0.0}), rear_right = compose(pose, {-x, -y, 0.0});
+  add_line(front_left, front_right, height, colour, lines);
+  add_line(front_right, rear_right, height, colour, lines);
+  add_line(rear_right, rear_left, height, colour, lines);
+  add_line(rear_left, front_left, height, colour, lines);
+  add_line(pose, compose(pose, {x, 0.0, 0.0}), height, colour, lines);
+}
+
+Marker path_marker(const Trajectory& trajectory, const std_msgs::Header& header)
+{
+  Marker lines = marker("path", Marker::LINE_LIST, 0.05, header);
+  for (std::size_t i = 1; i < trajectory.size(); ++i)
+  {
+    if (trajectory[i].mode != trajectory[i - 1].mode) continue;
+    add_line(trajectory[i - 1].pose(), trajectory[i].pose(), kPathHeight, colour_of(trajectory[i].mode, 1.0f), lines);
+  }
+  return finished(lines);
+}
+
+Marker footprint_marker(const Robot& robot, const Trajectory& trajectory, const std_msgs::Header& header)
+{
+  Marker lines = marker("footprints", Marker::LINE_LIST, 0.015, header);
+  const TrajectoryPoint* last = nullptr;
+  for (const TrajectoryPoint& next : trajectory)
+  {
+    if (last && last->mode == next.mode && distance(last->pose(), next.pose()) < kFootprintStep &&
+        std::abs(next.theta - last->theta) < kFootprintTurn)
+      continue;
+    add_footprint(robot, next.pose(), kFootprintHeight, colour_of(next.mode, 0.6f), lines);
+    last = &next;
+  }
+  return finished(lines);
+}
+
+Marker switch_marker(const Trajectory& trajectory, const std_msgs::Header& header)
+{
+  Marker spheres = marker("switches", Marker::SPHERE_LIST, 0.2, header);
+  spheres.color = kSwitchColour;
+  for (std::size_t i = 1; i < trajectory.size(); ++i)
+    if (trajectory[i].mode != trajectory[i - 1].mode)
+      spheres.points.push_back(point(trajectory[i].pose(), kPathHeight));
+  return finished(spheres);
+}
+
+Marker end_marker(const std::string& name, const Robot& robot, const Pose& pose, const std_msgs::ColorRGBA& colour,
+                  const std_msgs::Header& header)
+{
+  Marker lines = marker(name, Marker::LINE_LIST, 0.04, header);
+  add_footprint(robot, pose, kEndHeight, colour, lines);
+  return lines;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanRequest& request,
+                                             const Trajectory& trajectory, const std_msgs::Header& header)
+{
+  visualization_msgs::MarkerArray array;
+  array.markers = {path_marker(trajectory, header), footprint_marker(robot, trajectory, header),
+                   switch_marker(trajectory, header),
+                   end_marker("start", robot, request.start, kStartColour, header),
+                   end_marker("goal", robot, request.goal, kGoalColour, header)};
+  return array;
+}
+
+visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header)
+{
+  Marker points = marker("expansions", Marker::POINTS, 0.04, header);
+  points.color = colour(0.2f, 0.7f, 0.8f, 0.7f);
+  points.points.reserve(trace.expanded.size());
+  for (const Pose& pose : trace.expanded) points.points.push_back(point(pose, kExpansionHeight));
+  return finished(points);
+}
+
+}  // namespace fourwis

@@ -1,0 +1,133 @@
+#include "fourwis_navigation/ros/planner_topics.h"
+
+#include <nav_msgs/Path.h>
+#include <ros/console.h>
+
+#include "fourwis_navigation/ros/conversions.h"
+#include "fourwis_navigation/ros/markers.h"
+
+namespace fourwis
+{
+
+using fourwis_navigation::PlannerStatus;
+
+PlannerTopics::PlannerTopics(const std::string& global_frame, const Robot& robot, bool show_expansions)
+  : global_frame_(global_frame), robot_(robot), show_expansions_(show_expansions)
+{
+  ros::NodeHandle node, private_node("~");
+  trajectory_ = node.advertise<fourwis_navigation::ModeTrajectory>("trajectory", 10, true);
+  plan_ = private_node.advertise<nav_msgs::Path>("plan", 10, true);
+  frontend_plan_ = private_node.advertise<nav_msgs::Path>("frontend_plan", 10, true);
+  marker_ = private_node.advertise<visualization_msgs::MarkerArray>("markers", 10, true);
+  corridors_ = private_node.advertise<visualization_msgs::MarkerArray>("corridors", 10, true);
+  // Not `~status`: in a node called move_base that is the action's.
+  status_ = private_node.advertise<PlannerStatus>("planner_status", 100, true);
+
+  PlannerStatus idle = status(PlannerStatus::IDLE, {});
+  idle.status = "idle";
+  idle.message = "waiting for a goal";
+  publish_status(idle);
+}
+
+void PlannerTopics::publish_planning(const geometry_msgs::PoseStamped& goal)
+{
+  PlannerStatus planning = status(PlannerStatus::PLANNING, goal);
+  planning.status = "planning";
+  planning.message = "planning";
+  publish_status(planning);
+}
+
+void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer)
+{
+  if (answer.result.status != PlanStatus::succeeded)
+  {
+    if (show_expansions_) publish_expansions(answer.trace);
+    publish_failure(goal, "", answer);
+    return;
+  }
+  publish_plan(answer);
+  PlannerStatus done = status(PlannerStatus::SUCCEEDED, goal);
+  done.status = to_string(answer.result.status);
+  done.message = answer.result.message;
+  done.map_stamp = answer.map_stamp;
+  done.metrics = to_message(answer.result.metrics);
+  publish_status(done);
+}
+
+void PlannerTopics::publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by,
+                                    const PlanAnswer& answer)
+{
+  PlannerStatus failed = status(PlannerStatus::FAILED, goal);
+  failed.status = to_string(answer.result.status);
+  failed.message = asked_by + answer.result.message;
+  failed.map_stamp = answer.map_stamp;
+  failed.metrics = to_message(answer.result.metrics);
+  publish_status(failed);
+}
+
+void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message)
+{
+  PlannerStatus refused = status(PlannerStatus::FAILED, goal);
+  refused.status = to_string(PlanStatus::invalid_input);
+  refused.message = message;
+  publish_status(refused);
+}
+
+std_msgs::Header PlannerTopics::header() const
+{
+  std_msgs::Header header;
+  header.frame_id = global_frame_;
+  header.stamp = ros::Time::now();
+  return header;
+}
+
+PlannerStatus PlannerTopics::last_status() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_status_;
+}
+
+void PlannerTopics::publish_plan(const PlanAnswer& answer)
+{
+  const std_msgs::Header now = header();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  markers_ = plan_markers(robot_, answer.request, answer.result.trajectory, now);
+  if (show_expansions_) markers_.markers.push_back(expansion_marker(answer.trace, now));
+  trajectory_.publish(to_message(answer.result.trajectory, now));
+  plan_.publish(to_path_message(answer.result.trajectory, now));
+  frontend_plan_.publish(to_path_message(robot_, answer.result.path, now));
+  marker_.publish(markers_);
+}
+
+void PlannerTopics::publish_expansions(const PlanTrace& trace)
+{
+  const std_msgs::Header now = header();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  // The topic is latched: whoever comes late must see the last plan as well.
+  visualization_msgs::MarkerArray markers = markers_;
+  if (!markers.markers.empty()) markers.markers.pop_back();
+  markers.markers.push_back(expansion_marker(trace, now));
+  marker_.publish(markers);
+}
+
+PlannerStatus PlannerTopics::status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const
+{
+  PlannerStatus status;
+  status.header = header();
+  status.state = state;
+  status.goal = goal;
+  return status;
+}
+
+void PlannerTopics::publish_status(const PlannerStatus& status)
+{
+  if (status.state == PlannerStatus::FAILED)
+    ROS_WARN("%s: %s", status.status.c_str(), status.message.c_str());
+  else
+    ROS_INFO("%s: %s", status.status.c_str(), status.message.c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  last_status_ = status;
+  status_.publish(status);
+}
+
+}  // namespace fourwis
