@@ -6,14 +6,56 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 picture=$build/demo.svg
-
 display=${DISPLAY:-${WAYLAND_DISPLAY:-}}
+
 "$root/scripts/install_dependencies.sh" build ${display:+exec}
 "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=OFF
+source "$root/scripts/environment.sh"
 
-# The 3D laser map of building 079 of the university of Freiburg comes with OctoMap's documentation.
-building()
+# OctoMap's documentation comes with a 3D laser map of building 079 of the university of Freiburg.
+building=$(dpkg -L liboctomap-dev 2>/dev/null | grep '/geb079\.bt$' || true)
+if [[ -e $building ]]; then
+  map=(octomap "$building")
+  start=0,0,0
+  goal=25,0.5,1.57
+else
+  echo "No laser map of a building here (liboctomap-dev without its documentation); using a map of ours instead."
+  map=(map "$root/config/env1.yaml")
+  start=1,1,0
+  goal=10,10,0
+fi
+
+"$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --start "$start" --goal "$goal" --svg "$picture"
+echo "The plan: $picture"
+if command -v rsvg-convert >/dev/null; then
+  rsvg-convert --width 1600 "$picture" --output "${picture%.svg}.png"
+  echo "          ${picture%.svg}.png"
+fi
+
+# X,Y,YAW as a geometry_msgs/Pose
+pose()
 {
-  local file
-  file=$(dpkg -L liboctomap-dev 2>/dev/null | grep '/geb079\.bt$') && [[ -e $file ]] && echo "$file"
+  awk -F, '{ printf "{position: {x: %s, y: %s}, orientation: {z: %.9f, w: %.9f}}", $1, $2, sin($3 / 2), cos($3 / 2) }' <<<"$1"
 }
+
+show_in_rviz()
+{
+  set +u
+  source "$build/devel/setup.bash"
+  set -u
+  roslaunch fourwis_navigation plan.launch "${map[0]}:=${map[1]}" &
+  local launch=$!
+  trap 'kill "$launch" 2>/dev/null; wait "$launch"' EXIT
+  until rostopic echo -n 1 /move_base/status >/dev/null 2>&1; do sleep 0.5; done
+  rostopic pub -1 /initialpose geometry_msgs/PoseWithCovarianceStamped \
+    "{header: {frame_id: map}, pose: {pose: $(pose "$start")}}"
+  rostopic pub -1 /move_base_simple/goal geometry_msgs/PoseStamped "{header: {frame_id: map}, pose: $(pose "$goal")}"
+  echo "Set another start with '2D Pose Estimate', another goal with '2D Nav Goal'; Ctrl-C ends the demo."
+  wait "$launch"
+}
+
+if [[ -n $display ]]; then
+  show_in_rviz
+else
+  echo "There is no display for rviz."
+fi

@@ -6,19 +6,14 @@
 #include <sstream>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <boost/program_options.hpp>
+
+namespace po = boost::program_options;
 
 namespace fourwis
 {
 namespace
 {
-
-/// The options whose values CLI11 hands over as the user typed them; we convert them ourselves because its numbers
-/// include nan and inf.
-struct RawOptions
-{
-  std::string start, goal, modes, height_min, height_max;
-};
 
 const char* const kFooter =
   "\nExit status: 0 a verified plan; 1 no plan (the JSON says why); 2 unusable input.\n"
@@ -51,7 +46,7 @@ std::optional<double> number_in(const std::string& text)
 
 [[noreturn]] void refuse(const std::string& option, const std::string& value, const std::string& expected)
 {
-  throw CLI::ValidationError(option, "'" + value + "' is not understood, expected " + expected);
+  throw po::error(option + ": '" + value + "' is not understood, expected " + expected);
 }
 
 Pose pose_in(const std::string& option, const std::string& text)
@@ -88,41 +83,98 @@ ModeSet modes_in(const std::string& text)
   return modes;
 }
 
-void add_options(CLI::App& app, PlanArguments& arguments, RawOptions& raw)
+int repetitions_in(const std::string& text)
 {
-  app.add_option("--map", arguments.map, "map in map_server's format: YAML beside a PGM or PNG image");
-  CLI::Option* octomap = app.add_option("--octomap", arguments.octomap, "3D map (.bt or .ot) instead of --map");
-  app.add_option("--height-min", raw.height_min, "lowest height of the 3D map that matters [m], default 0.1")
-    ->needs(octomap);
-  app.add_option("--height-max", raw.height_max, "greatest height of the 3D map that matters [m], default 1.0")
-    ->needs(octomap);
-  app.add_option("--start", raw.start, "X,Y,YAW in the map frame [m, m, rad]")->required();
-  app.add_option("--goal", raw.goal, "X,Y,YAW in the map frame [m, m, rad]")->required();
-  app.add_option("--robot", arguments.robot, "robot.yaml; default: the values of config/robot.yaml");
-  app.add_option("--planner", arguments.planner, "planner.yaml; default: the values of config/planner.yaml");
-  app.add_option("--modes", raw.modes, "modes to plan in, default ackermann,lateral,parallel");
-  app.add_flag("--frontend-only", arguments.frontend_only, "stop after the front end's own trajectory");
-  app.add_option("--repeat", arguments.repeat, "plan N times and report the medians of the times")
-    ->check(CLI::Range(1, 100000));
-  app.add_option("--json", arguments.json, "write status, metrics and trajectory; - is the standard output");
-  app.add_option("--csv", arguments.csv, "write the trajectory's points");
-  app.add_option("--svg", arguments.svg, "draw map, footprints and path");
+  const std::optional<double> number = number_in(text);
+  if (!number || *number < 1.0 || *number > 100000.0 || text.find_first_not_of("0123456789") != std::string::npos)
+    refuse("--repeat", text, "a whole number from 1 to 100000");
+  return static_cast<int>(*number);
 }
 
-/// What CLI11 does not check.
-void convert(const CLI::App& app, const RawOptions& raw, PlanArguments& arguments)
+/// Values are taken as the user typed them and converted by us: a pose is no type of the library, and its numbers
+/// include nan and inf.
+po::options_description known_options()
 {
-  if (arguments.map.empty() == arguments.octomap.empty())
-    throw CLI::RequiredError("exactly one of --map MAP.yaml and --octomap FILE.bt");
-  arguments.start = pose_in("--start", raw.start);
-  arguments.goal = pose_in("--goal", raw.goal);
-  if (app.count("--modes") > 0) arguments.modes = modes_in(raw.modes);
-  if (app.count("--height-min") > 0) arguments.band.min = height_in("--height-min", raw.height_min);
-  if (app.count("--height-max") > 0) arguments.band.max = height_in("--height-max", raw.height_max);
+  const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  po::options_description options("Options");
+  options.add_options()
+    ("help,h", "print this text")
+    ("map", value("FILE"), "map in map_server's format: YAML beside a PGM or PNG image")
+    ("octomap", value("FILE"), "3D map (.bt or .ot) instead of --map")
+    ("height-min", value("Z"), "lowest height of the 3D map that matters [m], default 0.1")
+    ("height-max", value("Z"), "greatest height of the 3D map that matters [m], default 1.0")
+    ("start", value("X,Y,YAW"), "in the map frame [m, m, rad]")
+    ("goal", value("X,Y,YAW"), "in the map frame [m, m, rad]")
+    ("robot", value("FILE"), "robot.yaml; default: the values of config/robot.yaml")
+    ("planner", value("FILE"), "planner.yaml; default: the values of config/planner.yaml")
+    ("modes", value("MODES"), "modes to plan in, default ackermann,lateral,parallel")
+    ("frontend-only", "stop after the front end's own trajectory")
+    ("repeat", value("N"), "plan N times and report the medians of the times")
+    ("json", value("FILE"), "write status, metrics and trajectory; - is the standard output")
+    ("csv", value("FILE"), "write the trajectory's points")
+    ("svg", value("FILE"), "draw map, footprints and path");
+  return options;
+}
+
+po::variables_map read(int argc, const char* const* argv, const po::options_description& options)
+{
+  namespace style = po::command_line_style;
+  const po::parsed_options parsed =
+    po::command_line_parser(argc, argv).options(options).style(style::unix_style & ~style::allow_guessing).run();
+  for (const po::option& option : parsed.options)
+    if (option.position_key >= 0) throw po::error("'" + option.value.front() + "' belongs to no option");
+  po::variables_map given;
+  po::store(parsed, given);
+  return given;
+}
+
+/// The value of an option, empty where it is not given.
+std::string text_of(const po::variables_map& given, const std::string& option)
+{
+  return given.count(option) > 0 ? given[option].as<std::string>() : std::string();
+}
+
+void check_combination(const po::variables_map& given)
+{
+  for (const char* const option : {"start", "goal"})
+    if (given.count(option) == 0) throw po::required_option(std::string("--") + option);
+  if (text_of(given, "map").empty() == text_of(given, "octomap").empty())
+    throw po::error("exactly one of --map MAP.yaml and --octomap FILE.bt is required");
+  for (const char* const option : {"height-min", "height-max"})
+    if (given.count(option) > 0 && given.count("octomap") == 0)
+      throw po::error(std::string("--") + option + " requires --octomap");
+  for (const char* const option : {"csv", "svg"})
+    if (text_of(given, option) == "-")
+      refuse(std::string("--") + option, "-", "a file: only --json writes to the standard output");
+}
+
+PlanArguments arguments_in(const po::variables_map& given)
+{
+  PlanArguments arguments;
+  arguments.map = text_of(given, "map");
+  arguments.octomap = text_of(given, "octomap");
+  arguments.start = pose_in("--start", text_of(given, "start"));
+  arguments.goal = pose_in("--goal", text_of(given, "goal"));
+  if (given.count("height-min") > 0) arguments.band.min = height_in("--height-min", text_of(given, "height-min"));
+  if (given.count("height-max") > 0) arguments.band.max = height_in("--height-max", text_of(given, "height-max"));
   if (!(arguments.band.min < arguments.band.max))
-    throw CLI::ValidationError("--height-max", "expected to be greater than --height-min");
-  if (arguments.csv == "-") refuse("--csv", "-", "a file: only --json writes to the standard output");
-  if (arguments.svg == "-") refuse("--svg", "-", "a file: only --json writes to the standard output");
+    throw po::error("--height-max: expected to be greater than --height-min");
+  arguments.robot = text_of(given, "robot");
+  arguments.planner = text_of(given, "planner");
+  if (given.count("modes") > 0) arguments.modes = modes_in(text_of(given, "modes"));
+  arguments.frontend_only = given.count("frontend-only") > 0;
+  if (given.count("repeat") > 0) arguments.repeat = repetitions_in(text_of(given, "repeat"));
+  arguments.json = text_of(given, "json");
+  arguments.csv = text_of(given, "csv");
+  arguments.svg = text_of(given, "svg");
+  return arguments;
+}
+
+std::string help_text(const po::options_description& options)
+{
+  std::ostringstream text;
+  text << "Plans a verified multi-modal trajectory of a 4WIS robot on a map.\n" << options << kFooter << '\n';
+  return text.str();
 }
 
 /// Where the JSON shall go, whatever is wrong with the other arguments.
@@ -142,25 +194,23 @@ std::string json_file_in(int argc, const char* const* argv)
 
 PlanArguments parse_arguments(int argc, const char* const* argv)
 {
-  PlanArguments arguments;
-  RawOptions raw;
-  CLI::App app("Plans a verified multi-modal trajectory of a 4WIS robot on a map.", "plan");
-  app.footer(kFooter);
-  add_options(app, arguments, raw);
+  const po::options_description options = known_options();
   try
   {
-    app.parse(argc, argv);
-    convert(app, raw, arguments);
+    const po::variables_map given = read(argc, argv, options);
+    if (given.count("help") > 0)
+    {
+      PlanArguments arguments;
+      arguments.help = help_text(options);
+      return arguments;
+    }
+    check_combination(given);
+    return arguments_in(given);
   }
-  catch (const CLI::CallForHelp&)
-  {
-    arguments.help = app.help();
-  }
-  catch (const CLI::Error& error)
+  catch (const po::error& error)
   {
     throw UsageError(error.what(), json_file_in(argc, argv));
   }
-  return arguments;
 }
 
 }  // namespace fourwis

@@ -1,5 +1,6 @@
 #include "legend.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "page.h"
 #include "fourwis_navigation/cli/picture.h"
+#include "page.h"
 
 namespace fourwis
 {

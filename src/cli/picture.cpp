@@ -1,12 +1,13 @@
 #include "fourwis_navigation/cli/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "cell_rectangles.h"
+#include "fourwis_navigation/cli/cell_rectangles.h"
+#include "fourwis_navigation/cli/motion_samples.h"
 #include "legend.h"
-#include "motion_samples.h"
 #include "page.h"
 
 namespace fourwis
@@ -14,8 +15,8 @@ namespace fourwis
 namespace
 {
 
-/// Footprints are drawn this often, in body lengths (no simple fraction, lest front and rear edges fall together) and in
-/// radians.
+/// Footprints are drawn this often, in body lengths (no simple fraction, lest front and rear edges fall together) and
+/// in radians.
 constexpr double kFootprintSpacing = 0.35, kFootprintTurn = 0.3;
 
 /// A corner of a cell in the map frame.
@@ -103,9 +104,12 @@ void write_marker(std::ostream& out, const Page& page, const Robot& robot, const
   const double a = std::max(0.36 * robot.length, 7.0 / page.scale), b = 0.6 * a;
   const std::vector<Point> arrow = {at_pose(pose, a, 0.0), at_pose(pose, -a, b), at_pose(pose, -0.45 * a, 0.0),
                                     at_pose(pose, -a, -b)};
-  out << "<g class=\"" << name << "\">\n<path d=\"" << polyline(page, body_corners(robot, pose), true)
-      << "\" fill=\"none\" stroke=\"" << colour << "\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n<path d=\""
-      << polyline(page, arrow, true) << "\" fill=\"" << colour
+  const std::string body = polyline(page, body_corners(robot, pose), true);
+  // White below, so that it can be seen on obstacles, too.
+  out << "<g class=\"" << name << "\" stroke-linejoin=\"round\">\n"
+      << "<path d=\"" << body << "\" fill=\"none\" stroke=\"#ffffff\" stroke-width=\"4\"/>\n"
+      << "<path d=\"" << body << "\" fill=\"none\" stroke=\"" << colour << "\" stroke-width=\"2\"/>\n"
+      << "<path d=\"" << polyline(page, arrow, true) << "\" fill=\"" << colour
       << "\" stroke=\"#ffffff\" stroke-width=\"0.8\"/>\n</g>\n";
 }
 

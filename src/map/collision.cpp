@@ -12,6 +12,8 @@ namespace
 
 /// Shortest stride along a motion where the safety margin is small or zero [m].
 constexpr double kLeastStride = 0.01;
+/// More clearance than this is not asked for [m].
+constexpr double kFarClearance = 1.0;
 
 }  // namespace
 
@@ -35,15 +37,15 @@ bool CollisionChecker::is_free(const Pose& pose) const
 double CollisionChecker::free_length(const PathPiece& piece) const
 {
   const double total = std::abs(piece.length), direction = piece.length < 0.0 ? -1.0 : 1.0;
-  const double kappa = curvature(robot_, piece.mode, piece.phi);
+  const Arc arc(robot_, piece.start, piece.mode, piece.phi);
   // A disc centre moves at most this much for each metre that C does.
-  const double stretch = 1.0 + std::abs(kappa) * discs_.offset;
+  const double stretch = 1.0 + std::abs(arc.curvature()) * discs_.offset;
   double free = 0.0;
   for (double s = 0.0;;)
   {
-    const Pose pose = advance(robot_, piece.start, piece.mode, piece.phi, direction * s);
-    double clearance = 1e9;
-    if (!is_free(pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta), clearance)) return free;
+    const Arc::Placement placement = arc.at(direction * s);
+    double clearance = kFarClearance;
+    if (!is_free(placement.x, placement.y, placement.cosine, placement.sine, clearance)) return free;
     free = s;
     if (s >= total) return total;
     s = std::min(total, s + std::max(stride_, clearance) / stretch);

@@ -69,7 +69,7 @@ private:
   YAML::Node required(const char* name) const
   {
     if (!has(name))
-      file_.refuse(name, "missing, expected one");
+      file_.refuse(name, "missing, expected a value");
     return root_[name];
   }
 

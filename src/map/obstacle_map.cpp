@@ -11,6 +11,8 @@ namespace fourwis
 namespace
 {
 
+/// Bounds of the clearance closer than this many cell diagonals are replaced by its exact value.
+constexpr double kExactWithin = 1.0;
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
 
 /// Cells to the nearest obstacle of the same row, looking along `step` from each cell; 0 on an obstacle.
@@ -136,7 +138,8 @@ void check_grid(const OccupancyGrid& grid)
 
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)
   : width_(grid.width), height_(grid.height), resolution_(grid.resolution), origin_(grid.origin),
-    cos_(std::cos(grid.origin.theta)), sin_(std::sin(grid.origin.theta))
+    cos_(std::cos(grid.origin.theta)), sin_(std::sin(grid.origin.theta)),
+    slack_(M_SQRT2 * grid.resolution * (1.0 + 1e-5))
 {
   check_grid(grid);
   std::vector<std::uint8_t> obstacle(grid.data.size());
@@ -204,8 +207,14 @@ double ObstacleMap::distance(double x, double y) const
 
 bool ObstacleMap::is_clear(double x, double y, double radius) const
 {
-  double clearance = 0.0;
-  return is_clear(x, y, radius, clearance);
+  double u, v;
+  to_cells(x, y, u, v);
+  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return false;
+  const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))];
+  if (bound >= radius) return true;
+  if (bound + slack_ < radius) return false;
+  const double limit = radius / resolution_;
+  return exact_cells(u, v, limit) >= limit;
 }
 
 bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance) const
@@ -213,12 +222,16 @@ bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance)
   double u, v;
   to_cells(x, y, u, v);
   if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return false;
-  const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))];
-  clearance = std::min(clearance, std::max(0.0, bound - radius));
-  if (bound >= radius) return true;
-  if (bound + M_SQRT2 * resolution_ * (1.0 + 1e-5) < radius) return false;
-  const double limit = radius / resolution_;
-  return exact_cells(u, v, limit) >= limit;
+  const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))] - radius;
+  if (bound + slack_ < 0.0) return false;
+  if (bound >= clearance) return true;
+  // Far from obstacles the bound is good enough, close to them a cell more or less makes the difference.
+  const double exact = bound >= kExactWithin * slack_
+                           ? bound
+                           : exact_cells(u, v, (radius + bound + slack_) / resolution_) * resolution_ - radius;
+  if (exact < 0.0) return false;
+  clearance = std::min(clearance, exact);
+  return true;
 }
 
 }  // namespace fourwis

@@ -50,6 +50,7 @@ const ParameterTable<PlannerOptions>& planner_table()
     {"heading_resolution", search(&SearchOptions::heading_resolution), 0.01, 1.6, "rad"},
     {"xy_goal_tolerance", search(&SearchOptions::xy_goal_tolerance), 0.001, 5.0, "m"},
     {"yaw_goal_tolerance", search(&SearchOptions::yaw_goal_tolerance), 0.001, 3.15, "rad"},
+    {"shortcut_passes", search(&SearchOptions::shortcut_passes), 0, 1000},
     {"max_expansions", search(&SearchOptions::max_expansions), 1, 1e9},
 
     // The referee's other tolerances are the meaning of a trajectory, not a matter of taste.

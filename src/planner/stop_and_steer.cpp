@@ -13,6 +13,8 @@ namespace
 
 /// Greatest time between two points while driving [s].
 constexpr double kPointInterval = 0.1;
+/// Shortest stop that changes anything [s].
+constexpr double kLeastWait = 1e-3;
 /// Samples of a wheel's angle while the equivalent angle turns at a constant rate.
 constexpr int kSteeringSamples = 32;
 
@@ -48,7 +50,8 @@ double steering_time(const Robot& robot, Mode mode, double from, double to)
     time = std::max(time, kSteeringSamples * reorientation_time(robot, last, next));
     last = next;
   }
-  return time * (1.0 + 1.0 / kSteeringSamples);  // between samples a wheel may turn a little faster
+  // Between samples a wheel may turn a little faster; and two points never share one time.
+  return std::max(kLeastWait, time * (1.0 + 1.0 / kSteeringSamples));
 }
 
 class Timeline

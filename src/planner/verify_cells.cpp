@@ -164,8 +164,8 @@ double ObstacleCells::clearance(const Box& box, double cap) const
   return best;
 }
 
-/// Along a row the distance of a cell from the box is convex in the column, least at `column`: only the nearest obstacle
-/// on either side of it matters.
+/// Along a row the distance of a cell from the box is convex in the column, least at `column`: only the nearest
+/// obstacle on either side of it matters.
 void ObstacleCells::look_at_row(const Box& box, int row, int column, double& best) const
 {
   const double half_cell = 0.5 * (box.c + box.s);  // of the unit square along either axis of the box

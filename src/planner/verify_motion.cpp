@@ -11,13 +11,14 @@ namespace fourwis::verify
 namespace
 {
 
-constexpr double kTouch = 1e-9;          // an overlap of this depth is still a touch [m]
-// Clearances that exceed the least one so far by more than the look-ahead are not told apart; it follows what was found.
+constexpr double kTouch = 1e-9;  // an overlap of this depth is still a touch [m]
+
+// Clearances that exceed the least one so far by more than the look-ahead are not told apart. It follows what was seen.
 constexpr double kLeastLookAhead = 0.05;  // [m]
 constexpr double kMostLookAhead = 0.8;    // [m]
 
-constexpr double kMostMotion = 1e5;      // of the body, and of its angles, along one trajectory [m, rad]
-constexpr long kMostLooks = 1'000'000;   // at the grid for one trajectory
+constexpr double kMostMotion = 2e4;     // of the body, and of its angles, along one trajectory [m, rad]
+constexpr long kMostLooks = 1'000'000;  // at the grid for one trajectory
 
 /// Moves the body along the trajectory and looks at the grid no more often than needed: no body point can reach an
 /// obstacle before it has moved by the clearance last seen.
@@ -38,8 +39,10 @@ public:
     look_at_point(0);
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
-      if (points[i].mode == points[i + 1].mode) roll(i);
-      else jump(points[i].pose(), points[i + 1].pose());
+      if (points[i].mode == points[i + 1].mode)
+        roll(i);
+      else
+        jump(points[i].pose(), points[i + 1].pose());
       if (exhausted_)
       {
         court_.report.add(i, points[i].t, "motion too long to be judged");
@@ -61,7 +64,7 @@ private:
     if (!affordable(rollout.greatest_speed() * duration * (motion_per_length + rollout.greatest_curvature()) +
                     std::abs(to.phi - from.phi)))
       return;
-    while (rollout.remaining() > 0.0)
+    while (rollout.remaining() > 0.0 && !exhausted_)
     {
       const double motion_per_share = rollout.greatest_speed() * duration * motion_per_length;
       const double moved = motion_per_share * rollout.remaining();
@@ -71,18 +74,18 @@ private:
         spend(moved);
         break;
       }
-      const double share = credit_ / motion_per_share;
-      rollout.advance(share);
+      rollout.advance(credit_ / motion_per_share);
+      spend(credit_);
       look(i, from.t + (1.0 - rollout.remaining()) * duration, rollout);
     }
-    compare(i, rollout);
+    if (!exhausted_) compare(i, rollout);
   }
 
   /// Whether the motion of one more interval may be followed: garbage must not keep the referee busy for ever.
   bool affordable(double motion)
   {
     motion_ += motion;
-    exhausted_ = !(motion_ <= kMostMotion) || looks_ > kMostLooks;
+    if (!(motion_ <= kMostMotion)) exhausted_ = true;
     return !exhausted_;
   }
 
@@ -127,10 +130,11 @@ private:
 
   void look(std::size_t i, double t, double x, double y, double theta, double cosine, double sine)
   {
-    ++looks_;
+    if (++looks_ > kMostLooks) exhausted_ = true;
     const Box touching = cells_.box(x, y, cosine, sine, half_length_ - kTouch, half_width_ - kTouch);
     const bool inside = cells_.contains(touching);
-    const std::optional<Cell> hit = inside && sure_ <= 0.0 ? cells_.overlapped(touching) : std::nullopt;
+    const bool in_doubt = sure_ <= 0.0;
+    const std::optional<Cell> hit = inside && in_doubt ? cells_.overlapped(touching) : std::nullopt;
     double clearance = 0.0;
     if (!inside || hit)
       collide(i, t, Pose{x, y, theta}, hit);

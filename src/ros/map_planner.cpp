@@ -1,7 +1,5 @@
 #include "fourwis_navigation/ros/map_planner.h"
 
-#include <chrono>
-
 namespace fourwis
 {
 namespace
@@ -13,12 +11,6 @@ PlanResult failure(PlanStatus status, const std::string& message)
   result.status = status;
   result.message = message;
   return result;
-}
-
-Interrupt::Clock::time_point after(double seconds)
-{
-  return Interrupt::Clock::now() +
-         std::chrono::duration_cast<Interrupt::Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 }  // namespace
@@ -44,8 +36,7 @@ PlanAnswer MapPlanner::plan(const PlanRequest& request, const std::atomic<bool>&
     return answer;
   }
   answer.map_stamp = map->stamp;
-  const Interrupt interrupt(&cancelled, after(planner_.options().planner_patience));
-  answer.result = planner_.plan(map->world, request, interrupt, traced_ ? &answer.trace : nullptr);
+  answer.result = planner_.plan(map->world, request, Interrupt(&cancelled), traced_ ? &answer.trace : nullptr);
   return answer;
 }
 

@@ -71,7 +71,7 @@ SearchResult find_path(const CollisionChecker& checker, const Robot& robot, cons
   const GoalDistance distance(checker, request.start, request.goal, kFieldSlack, interrupt);
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!distance.reaches_start() || !may_be_reachable(checker, distance, request.start, request.goal, interrupt))
+  if (!distance.reaches_start() || !may_be_reachable(checker, distance, request.start, request.goal, getenv("CS")?atof(getenv("CS")):0.1, interrupt))
     return failed(PlanStatus::goal_unreachable);
 
   SearchResult found = search(checker, robot, options, request, distance, interrupt, expanded);

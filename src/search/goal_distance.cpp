@@ -10,7 +10,7 @@ namespace fourwis
 namespace
 {
 
-constexpr double kCellSize = 0.1;            ///< wanted side of a cell [m]
+constexpr double kCellSize = 0.1;            ///< side of a cell [m]
 constexpr int kStraight = 5, kDiagonal = 7;  ///< integer lengths of steps; 7/5 < sqrt(2)
 constexpr double kOctileExcess = 1.0824;     ///< longest 8-connected path over the straight line
 constexpr float kUnseen = std::numeric_limits<float>::infinity();
@@ -51,10 +51,10 @@ double least_clearance(const TwoDiscs& discs)
 
 }  // namespace
 
-CoarseCells::CoarseCells(const ObstacleMap& map, double wanted_size)
-  : map_(map), factor_(std::max(1, static_cast<int>(std::lround(wanted_size / map.resolution())))),
-    width_((map.width() + factor_ - 1) / factor_), height_((map.height() + factor_ - 1) / factor_),
-    size_(factor_ * map.resolution())
+CoarseCells::CoarseCells(const ObstacleMap& map, double size)
+  : map_(map), size_(size), per_map_cell_(map.resolution() / size),
+    width_(std::max(1, static_cast<int>(std::ceil(map.width() * per_map_cell_ - 1e-9)))),
+    height_(std::max(1, static_cast<int>(std::ceil(map.height() * per_map_cell_ - 1e-9))))
 {
 }
 
@@ -62,8 +62,8 @@ int CoarseCells::index(double x, double y) const
 {
   double u, v;
   map_.to_cells(x, y, u, v);
-  const int column = std::clamp(static_cast<int>(u) / factor_, 0, width_ - 1);
-  const int row = std::clamp(static_cast<int>(v) / factor_, 0, height_ - 1);
+  const int column = std::clamp(static_cast<int>(u * per_map_cell_), 0, width_ - 1);
+  const int row = std::clamp(static_cast<int>(v * per_map_cell_), 0, height_ - 1);
   return row * width_ + column;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <queue>
 
@@ -156,11 +157,9 @@ private:
     if (--until_connection_ > 0) return false;
     until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * options_.primitive_length()));
 
-    candidates_.clear();
-    curves_.candidates(node(n).pose, node(n).mode, previous_piece(n), request_.goal, candidates_);
+    curves_.candidates(node(n).pose, node(n).mode, previous_piece(n), request_.goal,
+                       std::numeric_limits<double>::infinity(), candidates_);
     const std::size_t tried = std::min(kCurvesTried, candidates_.size());
-    std::partial_sort(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(tried), candidates_.end(),
-                      [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
     for (std::size_t i = 0; i < tried; ++i)
     {
       curves_.place(node(n).pose, candidates_[i]);

@@ -42,22 +42,25 @@ ModeCurves::ModeCurves(const Robot& robot, const SearchOptions& options, const M
 }
 
 void ModeCurves::candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal,
-                            std::vector<ModeCurve>& curves) const
+                            double budget, std::vector<ModeCurve>& curves) const
 {
-  const std::size_t first = curves.size();
+  curves.clear();
   Pose relative = relative_to(from, goal);
   relative.theta = wrap_angle(relative.theta);
   for (Mode turning : kTurningModes)
     if (modes_.contains(turning))
     {
-      append_reeds_shepp(relative, turning, curves);
+      append_reeds_shepp(relative, turning, budget, curves);
       if (modes_.parallel) append_turn_and_translate(relative, turning, curves);
     }
   if (modes_.parallel) append_parallel(relative, curves);
-  for (std::size_t i = first; i < curves.size(); ++i) curves[i].cost = curve_cost(curves[i], mode, previous);
+  for (ModeCurve& curve : curves) curve.cost = curve_cost(curve, mode, previous);
+  const auto useless = [&](const ModeCurve& curve) { return curve.count == 0 || curve.cost >= budget; };
+  curves.erase(std::remove_if(curves.begin(), curves.end(), useless), curves.end());
+  std::sort(curves.begin(), curves.end(), [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
 }
 
-void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, std::vector<ModeCurve>& curves) const
+void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const
 {
   const double kappa = max_curvature(robot_, mode);
   ReedsSheppWords words;
@@ -65,6 +68,7 @@ void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, std::vector
   for (int w = 0; w < words.count; ++w)
   {
     const ReedsSheppPath& word = words.paths[static_cast<std::size_t>(w)];
+    if (word.length / kappa >= longest) continue;
     ModeCurve curve;
     for (int i = 0; i < word.count; ++i)
     {

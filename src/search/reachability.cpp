@@ -124,9 +124,9 @@ private:
 }  // namespace
 
 bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
-                      const Pose& goal, const Interrupt& interrupt)
+                      const Pose& goal, double cell_size, const Interrupt& interrupt)
 {
-  const CoarseCells& cells = distance.cells();
+  const CoarseCells cells(checker.map(), cell_size);
   FreeHeadings free(checker, cells);
   Flood from_start(free, cells, [&](int cell) {
     const Pose centre = cells.centre(cell);

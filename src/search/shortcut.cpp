@@ -119,13 +119,7 @@ private:
     const double budget =
         std::min(places_[to].cost - places_[from].cost, original_[to] - original_[from]) - kLeastGain;
     if (budget <= distance(places_[from].pose, places_[to].pose)) return;
-    candidates_.clear();
-    curves_.candidates(places_[from].pose, mode_at(from), last_piece(from), places_[to].pose, candidates_);
-    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
-                                     [&](const ModeCurve& c) { return c.count == 0 || c.cost >= budget; }),
-                      candidates_.end());
-    std::sort(candidates_.begin(), candidates_.end(),
-              [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
+    curves_.candidates(places_[from].pose, mode_at(from), last_piece(from), places_[to].pose, budget, candidates_);
     for (std::size_t k = 0; k < std::min(kCurvesTried, candidates_.size()); ++k)
     {
       ModeCurve& curve = candidates_[k];
@@ -148,13 +142,20 @@ private:
     std::vector<std::size_t> route;
     for (std::size_t i = places_.size() - 1; i != 0; i = places_[i].from) route.push_back(i);
     Path path;
-    path.goal = path_.goal;
     path.cost = places_.back().cost;
     for (auto i = route.rbegin(); i != route.rend(); ++i)
     {
       const ModeCurve& curve = places_[*i].curve;
       path.pieces.insert(path.pieces.end(), curve.pieces.begin(), curve.pieces.begin() + curve.count);
     }
+    // A curve meets a later place up to full turns: carry the heading on without a jump.
+    Pose pose = path_.pieces.front().start;
+    for (PathPiece& piece : path.pieces)
+    {
+      piece.start = pose;
+      pose = curves_.end_of(piece);
+    }
+    path.goal = pose;
     return path;
   }
 

@@ -41,14 +41,35 @@ Twist body_twist(const Robot& robot, Mode mode, double v, double phi)
   }
 }
 
+Arc::Arc(const Robot& robot, const Pose& start, Mode mode, double phi)
+  : start_(start), kappa_(fourwis::curvature(robot, mode, phi)), cos_(std::cos(start.theta)), sin_(std::sin(start.theta))
+{
+  const double angle = course(mode, phi), c = std::cos(angle), s = std::sin(angle);
+  cos_course_ = cos_ * c - sin_ * s;
+  sin_course_ = sin_ * c + cos_ * s;
+}
+
+Arc::Placement Arc::at(double s) const
+{
+  if (kappa_ == 0.0) return {start_.x + s * cos_course_, start_.y + s * sin_course_, cos_, sin_};
+  const double delta = kappa_ * s, c = std::cos(delta), sn = std::sin(delta);
+  // Displacement along and across the direction of travel at the start; 1 - cos cancels for small angles.
+  const bool small = std::abs(delta) < 1e-3;
+  const double along = small ? s * (1.0 - delta * delta / 6.0) : sn / kappa_;
+  const double across = small ? s * delta / 2.0 * (1.0 - delta * delta / 12.0) : (1.0 - c) / kappa_;
+  return {start_.x + along * cos_course_ - across * sin_course_, start_.y + along * sin_course_ + across * cos_course_,
+          cos_ * c - sin_ * sn, sin_ * c + cos_ * sn};
+}
+
+Pose Arc::pose(double s) const
+{
+  const Placement placement = at(s);
+  return {placement.x, placement.y, start_.theta + kappa_ * s};
+}
+
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s)
 {
-  // The chord of an arc of angle delta has length s sin(delta/2)/(delta/2) and leaves at half the angle.
-  const double delta = s * curvature(robot, mode, phi);
-  const double half = delta / 2.0;
-  const double chord = std::abs(half) < 1e-4 ? s * (1.0 - half * half / 6.0) : s * std::sin(half) / half;
-  const double direction = start.theta + course(mode, phi) + half;
-  return {start.x + chord * std::cos(direction), start.y + chord * std::sin(direction), start.theta + delta};
+  return Arc(robot, start, mode, phi).pose(s);
 }
 
 }  // namespace fourwis

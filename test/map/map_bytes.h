@@ -38,8 +38,10 @@ private:
   std::filesystem::path path_;
 };
 
+/// Makes a new file: some file systems wait for the disk when an old one is cut to nothing and written again.
 inline void write_bytes(const std::string& path, const std::string& bytes)
 {
+  std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << bytes;
 }
 

@@ -121,7 +121,7 @@ protected:
   TemporaryDirectory folder_;
 };
 
-TEST_F(OctomapProjection, agrees_with_looking_at_every_voxel)
+TEST_F(OctomapProjection, AgreesWithLookingAtEveryVoxel)
 {
   std::mt19937 random(3);
   for (const double resolution : {0.08, 0.1, 0.25})
@@ -144,7 +144,7 @@ TEST_F(OctomapProjection, agrees_with_looking_at_every_voxel)
   }
 }
 
-TEST_F(OctomapProjection, reads_coloured_trees)
+TEST_F(OctomapProjection, ReadsColouredTrees)
 {
   std::mt19937 random(4);
   auto tree = random_tree<octomap::ColorOcTree>(random, 0.1);
@@ -155,7 +155,7 @@ TEST_F(OctomapProjection, reads_coloured_trees)
   expect_projection(tree, folder_ / "map.bt", -3.0, 4.5);
 }
 
-TEST_F(OctomapProjection, covers_just_the_known_voxels_of_the_band)
+TEST_F(OctomapProjection, CoversJustTheKnownVoxelsOfTheBand)
 {
   octomap::OcTree tree(0.1);
   fill(tree, {-3, 2, 0}, {1, 1, 1}, true);
@@ -172,7 +172,7 @@ TEST_F(OctomapProjection, covers_just_the_known_voxels_of_the_band)
   EXPECT_EQ(grid.at(1, 0), -1);
 }
 
-TEST_F(OctomapProjection, does_not_count_voxels_that_only_touch_the_band)
+TEST_F(OctomapProjection, DoesNotCountVoxelsThatOnlyTouchTheBand)
 {
   octomap::OcTree tree(0.1);
   fill(tree, {0, 0, 0}, {1, 1, 9}, false);
@@ -186,7 +186,7 @@ TEST_F(OctomapProjection, does_not_count_voxels_that_only_touch_the_band)
   EXPECT_EQ(project_octomap_file(path, {0.1, 0.31}).at(0, 0), 100);
 }
 
-TEST_F(OctomapProjection, takes_a_huge_band_for_all_heights)
+TEST_F(OctomapProjection, TakesAHugeBandForAllHeights)
 {
   std::mt19937 random(5);
   octomap::OcTree tree = random_tree<octomap::OcTree>(random, 0.1);
@@ -195,7 +195,7 @@ TEST_F(OctomapProjection, takes_a_huge_band_for_all_heights)
   EXPECT_EQ(everything.data, project_octomap_file(folder_ / "map.ot", {-10.0, 10.0}).data);
 }
 
-TEST_F(OctomapProjection, refuses_a_file_without_known_voxels_in_the_band)
+TEST_F(OctomapProjection, RefusesAFileWithoutKnownVoxelsInTheBand)
 {
   octomap::OcTree tree(0.1);
   EXPECT_NE(message_of([&] { project_octomap_file(write(tree), {0.0, 1.0}); }), "");
@@ -206,7 +206,7 @@ TEST_F(OctomapProjection, refuses_a_file_without_known_voxels_in_the_band)
   EXPECT_EQ(message, path + ": data: expected known voxels in the height band, got none");
 }
 
-TEST_F(OctomapProjection, rejects_a_band_that_is_none)
+TEST_F(OctomapProjection, RejectsABandThatIsNone)
 {
   octomap::OcTree tree(0.1);
   const std::string path = write(tree);
@@ -215,7 +215,7 @@ TEST_F(OctomapProjection, rejects_a_band_that_is_none)
     EXPECT_THROW(project_octomap_file(path, band), std::invalid_argument);
 }
 
-TEST_F(OctomapProjection, refuses_what_is_not_an_octomap_by_field)
+TEST_F(OctomapProjection, RefusesWhatIsNotAnOctomapByField)
 {
   const std::string start = "# Octomap OcTree binary file\n";
   const std::vector<std::pair<std::string, std::string>> defects{
@@ -242,7 +242,7 @@ TEST_F(OctomapProjection, refuses_what_is_not_an_octomap_by_field)
   EXPECT_NE(message_of([&] { project_octomap_file(folder_ / ".", {}); }), "");
 }
 
-TEST_F(OctomapProjection, refuses_a_file_cut_short_anywhere_and_survives_random_damage)
+TEST_F(OctomapProjection, RefusesAFileCutShortAnywhereAndSurvivesRandomDamage)
 {
   std::mt19937 random(6);
   octomap::OcTree tree(0.1);

@@ -8,8 +8,8 @@
 namespace fourwis
 {
 
-/// Writes trajectories for the referee's tests, one interval after the other, by an integration of its own: the midpoint
-/// rule in very short steps.
+/// Writes trajectories for the referee's tests, one interval after the other, by an integration of its own: the
+/// midpoint rule in very short steps.
 class Script
 {
 public:

@@ -15,8 +15,8 @@ struct MapFileError : std::runtime_error
 };
 
 /// Reads a map in map_server's format: YAML (image, resolution, origin [x, y, yaw], negate, occupied_thresh, free_thresh,
-/// optional mode trinary | scale | raw) beside a PGM (P2, P5) or PNG image. Same cell values as map_server. Throws
-/// MapFileError.
+/// optional mode trinary | scale | raw) beside a PGM (P2, P5) or PNG image. Same cell values as map_server; pixels that
+/// are not opaque are unknown in the modes trinary and scale. Throws MapFileError.
 OccupancyGrid read_map_file(const std::string& yaml_path);
 
 /// Writes `<stem>.yaml` and `<stem>.pgm` (trinary) that read_map_file() reads back to the same occupied, free and unknown

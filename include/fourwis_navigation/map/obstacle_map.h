@@ -20,10 +20,11 @@ public:
   /// Distance from a point in the map frame to the nearest obstacle [m]; 0 inside one and outside the grid.
   double distance(double x, double y) const;
 
-  /// Whether distance(x, y) >= radius, faster. Lowers `clearance` to a lower bound of distance(x, y) - radius, no less
-  /// than 0, where that is smaller.
-  bool is_clear(double x, double y, double radius, double& clearance) const;
+  /// Whether distance(x, y) >= radius, faster.
   bool is_clear(double x, double y, double radius) const;
+
+  /// The same; if so, also lowers `clearance` to a lower bound of distance(x, y) - radius where that is smaller.
+  bool is_clear(double x, double y, double radius, double& clearance) const;
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -47,6 +48,7 @@ private:
   double resolution_;
   Pose origin_;
   double cos_, sin_;
+  double slack_;  ///< how much further than field_ says a point may be from the obstacles: a cell's diagonal [m]
   std::vector<float> field_;               ///< square to square, rounded down [m]
   std::vector<std::uint16_t> left_, right_;  ///< cells to the nearest obstacle of the same row, either side; 0 on one
 };

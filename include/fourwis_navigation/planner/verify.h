@@ -51,21 +51,23 @@ struct Verdict
   bool accepted() const { return violations.empty(); }
 };
 
-/// Judges trajectories on one grid. It shares no code with what it judges: own kinematics, own integration, own collision
-/// check of the exact rectangle against the grid's cells. Safe to use from several threads at once.
+/// Judges trajectories on one grid. It shares no code with what it judges: own kinematics, own integration, own
+/// collision check of the exact rectangle against the grid's cells. Safe to use from several threads at once.
 ///
 /// A trajectory is accepted when
 ///  1. it has a point, starts at t = 0, its times increase, its numbers are finite, its modes are planned ones;
 ///  2. it starts at rest at the start pose and ends at rest at the goal pose. Start equal to goal: one point will do;
-///  3. between neighbours of one mode, v and phi taken as linear in time, the re-integrated kinematics meet the next point
-///     (theta is not wrapped), and `a` and `omega` say the same as the differences, to 1e-3 of the limits;
-///  4. speed, acceleration, steering angle and steering rate keep their limits;
+///  3. between neighbours of one mode, v and phi taken as linear in time, the re-integrated kinematics meet the next
+///     point (theta is not wrapped), and `a` and `omega` say the same as the differences, to 1e-3 of the limits;
+///  4. speed, acceleration, steering angle (in parallel mode: within the wheels' travel) and steering rate keep their
+///     limits;
 ///  5. between neighbours of different modes the pose stays (1e-6 m, 1e-6 rad), v = 0 (1e-6 m/s), and the time suffices
 ///     for t_switch and for each wheel to turn from its old to its new angle;
-///  6. each wheel keeps its rate and speed, and within each stretch without rest some branch (angle + k pi) of its angle
-///     stays within its travel. At rest a wheel may turn the shorter way, modulo pi, that its travel allows;
-///  7. the interior of the body's rectangle meets no obstacle cell and does not leave the grid. Touching is allowed, and
-///     an overlap of 1e-9 m still counts as touching.
+///  6. each wheel keeps its rate and speed, and within each stretch without rest some branch (angle + k pi) of its
+///     angle stays within its travel. At rest a wheel may turn the shorter way, modulo pi, that its travel allows;
+///  7. the interior of the body's rectangle meets no obstacle cell and does not leave the grid. Touching is allowed,
+///     and an overlap of 1e-9 m still counts as touching;
+///  8. it is not longer than anything sensible (20 km).
 class Referee
 {
 public:

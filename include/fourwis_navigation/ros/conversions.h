@@ -35,8 +35,8 @@ inline constexpr double kQuaternionTolerance = 1e-3;
 /// How far a pose that somebody asked for may be tilted out of the plane [rad].
 inline constexpr double kMaxTilt = 0.05;
 
-/// `name` is what the pose is called in errors. Refuses numbers that are not finite, quaternions that are not normalised
-/// and poses tilted by more than `max_tilt` [rad]. The height is not looked at.
+/// `name` is what the pose is called in errors. Refuses numbers that are not finite, quaternions that are not
+/// normalised and poses tilted by more than `max_tilt` [rad]. The height is not looked at.
 Pose to_pose(const geometry_msgs::Pose& message, const std::string& name, double max_tilt = kMaxTilt);
 
 /// Refuses empty grids, data whose size is not width x height, resolutions and origins that make no sense.
@@ -45,8 +45,8 @@ void check_map(const nav_msgs::OccupancyGrid& message);
 /// The same grid; refuses what check_map() refuses.
 OccupancyGrid to_grid(const nav_msgs::OccupancyGrid& message);
 
-/// Overwrites the rectangle of the update. Refuses one that does not lie in the grid, or has too much or too little data;
-/// the grid is then as before.
+/// Overwrites the rectangle of the update. Refuses one that does not lie in the grid, or has too much or too little
+/// data; the grid is then as before.
 void apply_update(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid& grid);
 
 /// The modes of these names, all for an empty list. Refuses unknown names.

@@ -17,8 +17,8 @@ namespace fourwis
 {
 
 /// Goals from the topic `move_base_simple/goal` and from the action `move_base`, treated alike: each is planned on the
-/// one worker thread from where the robot is when the goal arrives, and a new one interrupts the one before. A goal that is refused
-/// for its form leaves a running plan alone.
+/// one worker thread from where the robot is when the goal arrives, and a new one interrupts the one before. A goal
+/// that is refused for its form leaves a running plan alone.
 class GoalServer
 {
 public:

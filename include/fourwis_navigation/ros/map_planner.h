@@ -26,8 +26,7 @@ public:
   /// `maps` must outlive this. `traced`: whether answers carry a trace.
   MapPlanner(const Planner& planner, const MapStore& maps, bool traced);
 
-  /// Waits for a map that is being built. A map that arrives while it plans does not touch it. `planner_patience` counts
-  /// from here. Never throws.
+  /// Waits for a map that is being built. A map that arrives while it plans does not touch it. Never throws.
   PlanAnswer plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const;
 
   const Robot& robot() const { return planner_.robot(); }

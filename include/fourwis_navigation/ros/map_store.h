@@ -27,9 +27,9 @@ struct MapSnapshot
   ros::Time stamp;  ///< header.stamp of the newest message in it
 };
 
-/// Turns maps and updates into snapshots on a thread of its own; what arrives during a build is taken together in the next.
-/// Unusable messages are refused and change nothing, except that the updates that follow a refused map are refused, too:
-/// they are meant for a map that is not here.
+/// Turns maps and updates into snapshots on a thread of its own; what arrives during a build is taken together in the
+/// next. Unusable messages are refused and change nothing, except that the updates that follow a refused map are
+/// refused, too: they are meant for a map that is not here.
 class MapStore
 {
 public:

@@ -10,9 +10,9 @@
 namespace fourwis
 {
 
-/// What rviz shows of a plan: path and footprints coloured by mode (ackermann blue, lateral orange, parallel green), start
-/// (grey), goal (red) and the places where the modes switch (magenta). Always the same namespaces and ids, so that a plan
-/// replaces the one before it.
+/// What rviz shows of a plan: path and footprints coloured by mode (ackermann blue, lateral orange, parallel green),
+/// start (grey), goal (red) and the places where the modes switch (magenta). Always the same namespaces and ids, so
+/// that a plan replaces the one before it.
 visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanRequest& request,
                                              const Trajectory& trajectory, const std_msgs::Header& header);
 

@@ -7,8 +7,8 @@
 namespace fourwis
 {
 
-/// Runs a node; what ends it with an exception is said in one line, on the console and in the log. Returns the exit status
-/// of the process: 0, or 2 for unusable configuration or input.
+/// Runs a node; what ends it with an exception is said in one line, on the console and in the log. Returns the exit
+/// status of the process: 0, or 2 for unusable configuration or input.
 template <class Run>
 int node_main(Run run)
 {

@@ -38,8 +38,8 @@ struct GlobalPlannerParameters
   GlobalPlannerOptions node;
 };
 
-/// Flattens a struct of the parameter server; numbers become double. Throws ConfigError, naming the key, for what has no
-/// place in a ParameterMap: lists, dates, binary data.
+/// Flattens a struct of the parameter server; numbers become double. Throws ConfigError, naming the key, for what has
+/// no place in a ParameterMap: lists, dates, binary data.
 ParameterMap to_parameters(const XmlRpc::XmlRpcValue& value);
 
 /// Everything under the handle's namespace.

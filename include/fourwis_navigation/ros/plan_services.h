@@ -19,8 +19,8 @@ namespace fourwis
 {
 
 /// `~make_plan` and `~plan_trajectory` answer without publishing a plan, one after the other on a thread of their own,
-/// beside goals and callbacks; `~cancel` ends them and the goal's plan. A start without frame_id means the robot's pose.
-/// Failures show in the planner's status as well: `~make_plan` has no other place for the reason.
+/// beside goals and callbacks; `~cancel` ends them and the goal's plan. A start without frame_id means the robot's
+/// pose. Failures show in the planner's status as well: `~make_plan` has no other place for the reason.
 class PlanServices
 {
 public:

@@ -10,7 +10,8 @@
 namespace fourwis
 {
 
-/// Whether there is a map, and what became of the last request, on `/diagnostics`: WARN without a map and after a failure.
+/// Whether there is a map, and what became of the last request, on `/diagnostics`: WARN without a map and after a
+/// failure.
 class PlannerDiagnostics
 {
 public:

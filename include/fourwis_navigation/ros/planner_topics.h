@@ -14,8 +14,8 @@
 namespace fourwis
 {
 
-/// Everything the planner publishes, all of it latched. Only a succeeded plan replaces the one published before; failures
-/// show in the status. Safe to use from several threads at once.
+/// Everything the planner publishes, all of it latched. Only a succeeded plan replaces the one published before;
+/// failures show in the status. Safe to use from several threads at once.
 class PlannerTopics
 {
 public:

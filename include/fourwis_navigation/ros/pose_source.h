@@ -14,16 +14,16 @@
 namespace fourwis
 {
 
-/// Poses in the global frame: the robot's, and whatever others ask for. Never waits: what tf does not know now is refused.
-/// Safe to use from several threads at once. All functions throw ConversionError with a sentence for the user.
+/// Poses in the global frame: the robot's, and whatever others ask for. Never waits: what tf does not know now is
+/// refused. Safe to use from several threads at once. All functions throw ConversionError with a sentence for the user.
 class PoseSource
 {
 public:
   /// `tf` must outlive this.
   PoseSource(const GlobalPlannerOptions& options, const tf2::BufferCore& tf);
 
-  /// `name` is what the pose is called in errors. A pose in another frame goes through the newest transform, whatever its
-  /// own stamp, as move_base does.
+  /// `name` is what the pose is called in errors. A pose in another frame goes through the newest transform, whatever
+  /// its own stamp, as move_base does.
   Pose to_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const;
 
   /// Where the robot is: from tf and at most `transform_tolerance` old at `now`, or the last initial pose.

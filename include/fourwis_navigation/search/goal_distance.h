@@ -10,11 +10,11 @@
 namespace fourwis
 {
 
-/// Square cells of about a wanted size that cover a map, each made of whole cells of the map.
+/// Square cells of any size that cover a map.
 class CoarseCells
 {
 public:
-  CoarseCells(const ObstacleMap& map, double wanted_size);
+  CoarseCells(const ObstacleMap& map, double size);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -43,9 +43,9 @@ public:
 
 private:
   const ObstacleMap& map_;
-  int factor_;  ///< map cells to a side
-  int width_, height_;
   double size_;
+  double per_map_cell_;  ///< cells to a side of a map cell
+  int width_, height_;
 };
 
 /// How far C has to travel to the goal at least, obstacles considered and headings not: Dijkstra's algorithm from the

@@ -35,8 +35,9 @@ public:
   /// Keeps references: all must outlive this object.
   ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes);
 
-  /// Appends every candidate from `from`, where the robot is in `mode` after `previous` (may be null), to `goal`.
-  void candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal,
+  /// Every candidate that costs less than `budget` from `from`, where the robot is in `mode` after `previous` (may be
+  /// null), to `goal`, cheapest first.
+  void candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal, double budget,
                   std::vector<ModeCurve>& curves) const;
 
   /// Sets the start poses of a curve's pieces from the pose of the first one.
@@ -50,7 +51,7 @@ public:
   double length_with_switches(const Pose& from, Mode mode, const Pose& goal) const;
 
 private:
-  void append_reeds_shepp(const Pose& relative, Mode mode, std::vector<ModeCurve>& curves) const;
+  void append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const;
   void append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const;
   void append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const;
   double curve_cost(const ModeCurve& curve, Mode mode, const PathPiece* previous) const;

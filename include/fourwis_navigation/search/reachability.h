@@ -12,6 +12,6 @@ namespace fourwis
 /// in them may be. Floods (x, y, theta mod pi) from both ends until they meet or one is exhausted, so the cost goes with
 /// the smaller side. True when interrupted.
 bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
-                      const Pose& goal, const Interrupt& interrupt);
+                      const Pose& goal, double cell_size, const Interrupt& interrupt);
 
 }  // namespace fourwis

@@ -26,6 +26,33 @@ double max_curvature(const Robot& robot, Mode mode);
 /// Direction in which C moves for v > 0, relative to the heading [rad]: 0, pi/2, phi.
 double course(Mode mode, double phi);
 
+/// The curve C follows while phi is held: a circular arc or a straight line.
+class Arc
+{
+public:
+  Arc(const Robot& robot, const Pose& start, Mode mode, double phi);
+
+  /// A pose and the cosine and sine of its heading, which whoever wants points of the body needs anyway.
+  struct Placement
+  {
+    double x, y, cosine, sine;
+  };
+
+  /// Where the robot is at signed arc length s [m].
+  Placement at(double s) const;
+
+  /// The same as a pose; theta is not wrapped.
+  Pose pose(double s) const;
+
+  double curvature() const { return kappa_; }
+
+private:
+  Pose start_;
+  double kappa_;
+  double cos_, sin_;                ///< of the heading at the start
+  double cos_course_, sin_course_;  ///< of the direction of travel at the start
+};
+
 /// Where the robot is after driving the signed arc length s [m] from `start` with phi held: the exact arc. theta is not
 /// wrapped.
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s);

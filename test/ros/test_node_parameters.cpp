@@ -1,0 +1,158 @@
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "fourwis_navigation/ros/map_publisher.h"
+#include "fourwis_navigation/ros/node_parameters.h"
+#include "refusals.h"
+
+namespace fourwis
+{
+namespace
+{
+
+const std::string kConfig = FOURWIS_SOURCE_DIR "/config/";
+
+/// What roslaunch puts into the planner's private namespace.
+ParameterMap shipped()
+{
+  ParameterMap parameters = read_parameter_file(kConfig + "global_planner.yaml");
+  for (const std::string group : {"robot", "planner"})
+    for (const auto& [key, value] : read_parameter_file(kConfig + group + ".yaml"))
+      parameters[group + '/' + key] = value;
+  return parameters;
+}
+
+std::string error_with(const std::string& key, const ParameterValue& value)
+{
+  ParameterMap parameters = shipped();
+  parameters[key] = value;
+  return error_of<ConfigError>([&] { global_planner_parameters_from(parameters); });
+}
+
+TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
+{
+  const GlobalPlannerOptions options = global_planner_parameters_from(shipped()).node;
+  const GlobalPlannerOptions defaults;
+  EXPECT_EQ(options.global_frame, defaults.global_frame);
+  EXPECT_EQ(options.robot_base_frame, defaults.robot_base_frame);
+  EXPECT_EQ(options.transform_tolerance, defaults.transform_tolerance);
+  EXPECT_EQ(options.start_from, defaults.start_from);
+  EXPECT_TRUE(options.modes.ackermann && options.modes.lateral && options.modes.parallel);
+  EXPECT_EQ(options.show_expansions, defaults.show_expansions);
+}
+
+TEST(NodeParameters, each_key_sets_what_it_names)
+{
+  ParameterMap parameters = shipped();
+  parameters["global_frame"] = std::string("world");
+  parameters["robot_base_frame"] = std::string("base_footprint");
+  parameters["transform_tolerance"] = 1.5;
+  parameters["start_from"] = std::string("initialpose");
+  parameters["modes"] = std::string("parallel,ackermann");
+  parameters["show_expansions"] = true;
+  parameters["robot/length"] = 1.25;
+  parameters["planner/planner_patience"] = 7.0;
+  const GlobalPlannerParameters read = global_planner_parameters_from(parameters);
+  EXPECT_EQ(read.node.global_frame, "world");
+  EXPECT_EQ(read.node.robot_base_frame, "base_footprint");
+  EXPECT_EQ(read.node.transform_tolerance, 1.5);
+  EXPECT_EQ(read.node.start_from, StartFrom::initial_pose);
+  EXPECT_TRUE(read.node.modes.ackermann && !read.node.modes.lateral && read.node.modes.parallel);
+  EXPECT_TRUE(read.node.show_expansions);
+  EXPECT_EQ(read.robot.length, 1.25);
+  EXPECT_EQ(read.planner.planner_patience, 7.0);
+}
+
+TEST(NodeParameters, every_key_of_the_shipped_files_is_missed_when_it_is_not_there)
+{
+  for (const auto& [key, value] : shipped())
+  {
+    ParameterMap parameters = shipped();
+    parameters.erase(key);
+    const std::string name = key.substr(key.find('/') == std::string::npos ? 0 : key.find('/') + 1);
+    EXPECT_TRUE(says(error_of<ConfigError>([&] { global_planner_parameters_from(parameters); }), name));
+  }
+}
+
+TEST(NodeParameters, an_unknown_key_is_refused_by_name_wherever_it_is)
+{
+  EXPECT_TRUE(says(error_with("speed", 1.0), "'speed'"));
+  EXPECT_TRUE(says(error_with("robot/colour", std::string("red")), "'colour'"));
+  EXPECT_TRUE(says(error_with("robot/colour", std::string("red")), "in 'robot'"));
+  EXPECT_TRUE(says(error_with("planner/horizon", 1.0), "'horizon'"));
+  EXPECT_TRUE(says(error_with("controller/rate", 1.0), "'controller/rate'"));
+}
+
+TEST(NodeParameters, a_value_out_of_range_or_of_another_type_is_refused_with_what_is_allowed)
+{
+  EXPECT_TRUE(
+    says(error_with("transform_tolerance", 0.0), "'transform_tolerance' is 0, expected a number from 0.01 to 60 s"));
+  EXPECT_TRUE(says(error_with("transform_tolerance", std::string("soon")), "'soon'"));
+  EXPECT_TRUE(says(error_with("start_from", std::string("nowhere")), "'nowhere', expected 'tf' or 'initialpose'"));
+  EXPECT_TRUE(says(error_with("modes", std::string("ackermann,sideways")), "ackermann, lateral and parallel"));
+  EXPECT_TRUE(says(error_with("modes", std::string("")), "ackermann, lateral and parallel"));
+  EXPECT_TRUE(says(error_with("show_expansions", 1.0), "true or false"));
+  EXPECT_TRUE(says(error_with("global_frame", std::string("")), "name of a tf frame"));
+  EXPECT_TRUE(says(error_with("robot_base_frame", std::string("/base_link")), "without a leading slash"));
+  EXPECT_TRUE(says(error_with("robot/length", -1.0), "'length' is -1"));
+}
+
+TEST(NodeParameters, keys_of_the_libraries_in_the_same_namespace_are_left_to_them)
+{
+  EXPECT_EQ(error_with("diagnostic_period", 2.0), "");
+  EXPECT_EQ(error_with("actionlib_status_frequency", 10.0), "");
+}
+
+TEST(NodeParameters, the_parameter_servers_structs_are_flattened_and_its_numbers_are_numbers)
+{
+  XmlRpc::XmlRpcValue value;
+  value["flag"] = true;
+  value["count"] = 3;
+  value["nested"]["ratio"] = 0.5;
+  value["nested"]["deeper"]["name"] = "x";
+  const ParameterMap parameters = to_parameters(value);
+  EXPECT_EQ(parameters.size(), 4u);
+  EXPECT_EQ(std::get<bool>(parameters.at("flag")), true);
+  EXPECT_EQ(std::get<double>(parameters.at("count")), 3.0);
+  EXPECT_EQ(std::get<double>(parameters.at("nested/ratio")), 0.5);
+  EXPECT_EQ(std::get<std::string>(parameters.at("nested/deeper/name")), "x");
+  EXPECT_TRUE(to_parameters(XmlRpc::XmlRpcValue()).empty());
+}
+
+TEST(NodeParameters, a_list_on_the_parameter_server_is_refused_by_name)
+{
+  XmlRpc::XmlRpcValue value;
+  value["robot"]["length"][0] = 1.0;
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { to_parameters(value); }), "'robot/length'"));
+}
+
+TEST(NodeParameters, the_map_publisher_takes_its_file_from_the_parameter_or_the_command_line)
+{
+  EXPECT_EQ(map_publisher_options_from({}, "a.yaml").map_file, "a.yaml");
+  EXPECT_EQ(map_publisher_options_from({{"map_file", std::string("b.yaml")}}, "a.yaml").map_file, "b.yaml");
+  EXPECT_EQ(map_publisher_options_from({}, "a.yaml").frame_id, "map");
+  EXPECT_EQ(map_publisher_options_from({{"frame_id", std::string("world")}}, "a.yaml").frame_id, "world");
+  EXPECT_TRUE(says(error_of<ConfigError>([] { map_publisher_options_from({}, ""); }), "'map_file'"));
+  const ParameterMap unknown = {{"frame", std::string("x")}}, empty = {{"frame_id", std::string()}};
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { map_publisher_options_from(unknown, "a.yaml"); }), "'frame'"));
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { map_publisher_options_from(empty, "a.yaml"); }), "'frame_id'"));
+}
+
+TEST(NodeParameters, the_projectors_height_band_must_not_be_upside_down)
+{
+  const ParameterMap file = {{"octomap_file", std::string("a.bt")}};
+  EXPECT_EQ(octomap_projector_options_from(file).band.max, HeightBand().max);
+  ParameterMap band = file;
+  band["min_height"] = 0.5;
+  band["max_height"] = 0.4;
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { octomap_projector_options_from(band); }),
+                   "'max_height' is 0.4, expected a number from 0.5"));
+  EXPECT_TRUE(says(error_of<ConfigError>([] { octomap_projector_options_from({}); }), "'octomap_file'"));
+}
+
+}  // namespace
+}  // namespace fourwis
