@@ -1,8 +1,10 @@
 #include "fourwis_navigation/search/front_end.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "fourwis_navigation/search/goal_distance.h"
+#include "fourwis_navigation/search/holonomic_distance.h"
 #include "fourwis_navigation/search/mode_curves.h"
 #include "fourwis_navigation/search/motion_cost.h"
 #include "fourwis_navigation/search/reachability.h"
@@ -13,12 +15,14 @@ namespace fourwis
 namespace
 {
 
-/// Beyond the first way to the start, the goal distance is known this much further [m].
+/// Beyond the first way to the start, distances to the goal are known this much further [m].
 constexpr double kFieldSlack = 4.0;
-/// The coarse search gets this share of all expansions before a finer one takes over.
-constexpr double kCoarseShare = 0.1;
+/// Cells of the floods over (x, y, theta) [m].
+constexpr double kFloodCell = 0.05;
+/// The quick search gets this many expansions before the thorough one takes over.
+constexpr int kQuickExpansions = 2000;
 
-/// Half the cell, half the step: for places where the default finds no way.
+/// Half the cell, half the step, the same cost of each metre.
 SearchOptions finer(SearchOptions options)
 {
   options.step_time /= 2.0;
@@ -31,19 +35,22 @@ SearchOptions finer(SearchOptions options)
   return options;
 }
 
-/// First coarse, then fine.
-SearchResult search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                    const PlanRequest& request, const GoalDistance& distance, const Interrupt& interrupt,
-                    std::vector<Pose>* expanded)
+SearchResult failed(PlanStatus status)
 {
-  SearchOptions coarse = options, fine = finer(options);
-  coarse.max_expansions = static_cast<int>(kCoarseShare * options.max_expansions);
-  const SearchResult quick = hybrid_astar(checker, robot, coarse, request, distance, interrupt, expanded);
-  if (quick.status != PlanStatus::no_path) return quick;
-  fine.max_expansions = options.max_expansions - quick.expansions;
-  SearchResult thorough = hybrid_astar(checker, robot, fine, request, distance, interrupt, expanded);
-  thorough.expansions += quick.expansions;
-  return thorough;
+  SearchResult result;
+  result.status = status;
+  return result;
+}
+
+/// For places where the quick search finds no way: finer, and guided by the headings at which the robot fits.
+SearchResult search_thoroughly(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
+                               const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+{
+  const HolonomicDistance distance(checker, request.start, request.goal, kFloodCell, kFieldSlack, interrupt);
+  if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
+  if (interrupt.timed_out()) return failed(PlanStatus::timeout);
+  if (!distance.reaches_start()) return failed(PlanStatus::goal_unreachable);
+  return hybrid_astar(checker, robot, finer(options), request, std::cref(distance), interrupt, expanded);
 }
 
 Path shortened(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
@@ -56,13 +63,6 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
   return path;
 }
 
-SearchResult failed(PlanStatus status)
-{
-  SearchResult result;
-  result.status = status;
-  return result;
-}
-
 }  // namespace
 
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
@@ -71,10 +71,22 @@ SearchResult find_path(const CollisionChecker& checker, const Robot& robot, cons
   const GoalDistance distance(checker, request.start, request.goal, kFieldSlack, interrupt);
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!distance.reaches_start() || !may_be_reachable(checker, distance, request.start, request.goal, getenv("CS")?atof(getenv("CS")):0.1, interrupt))
+  if (!distance.reaches_start() ||
+      !may_be_reachable(checker, distance, request.start, request.goal, kFloodCell, interrupt))
     return failed(PlanStatus::goal_unreachable);
 
-  SearchResult found = search(checker, robot, options, request, distance, interrupt, expanded);
+  SearchOptions quick = options;
+  quick.max_expansions = std::min(options.max_expansions, kQuickExpansions);
+  const auto around = [&](const Pose& pose) { return distance(pose.x, pose.y); };
+  SearchResult found = hybrid_astar(checker, robot, quick, request, around, interrupt, expanded);
+  if (found.status == PlanStatus::no_path)
+  {
+    SearchOptions rest = options;
+    rest.max_expansions -= found.expansions;
+    const int expansions = found.expansions;
+    found = search_thoroughly(checker, robot, rest, request, interrupt, expanded);
+    found.expansions += expansions;
+  }
   if (found.status == PlanStatus::succeeded && options.terminal_connection)
     found.path = shortened(checker, robot, options, request, std::move(found.path), interrupt);
   return found;

@@ -49,7 +49,7 @@ class Search
 {
 public:
   Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request,
-         const GoalDistance& distance_to_goal)
+         const DistanceToGoal& distance_to_goal)
     : checker_(checker), robot_(robot), options_(options), request_(request), cost_(robot, options),
       curves_(robot, options, cost_, request.modes), distance_(distance_to_goal)
   {
@@ -143,7 +143,7 @@ private:
 
   double heuristic(const Node& n) const
   {
-    const double around = distance_(n.pose.x, n.pose.y);
+    const double around = distance_(n.pose);
     if (!options_.terminal_connection) return around;
     const double straight = distance(n.pose, request_.goal);
     if (straight > kNearGoal) return around;
@@ -208,7 +208,8 @@ private:
     for (int i = 0; i < kFan; ++i)
     {
       const double course = i * 2.0 * M_PI / kFan, direction = pose.theta + course;
-      fan[static_cast<std::size_t>(i)] = {distance_(pose.x + length * std::cos(direction), pose.y + length * std::sin(direction)), course};
+      const Pose end = {pose.x + length * std::cos(direction), pose.y + length * std::sin(direction), pose.theta};
+      fan[static_cast<std::size_t>(i)] = {distance_(end), course};
     }
     std::sort(fan.begin(), fan.end());
     for (std::size_t i = 0; i < kFanTried; ++i) push_translation(n, fan[i].second);
@@ -283,7 +284,7 @@ private:
   const PlanRequest& request_;
   const MotionCost cost_;
   const ModeCurves curves_;
-  const GoalDistance& distance_;
+  const DistanceToGoal& distance_;
 
   std::vector<Node> nodes_;
   std::priority_queue<OpenEntry> open_;
@@ -298,7 +299,7 @@ private:
 }  // namespace
 
 SearchResult hybrid_astar(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                          const PlanRequest& request, const GoalDistance& distance, const Interrupt& interrupt,
+                          const PlanRequest& request, const DistanceToGoal& distance, const Interrupt& interrupt,
                           std::vector<Pose>* expanded)
 {
   return Search(checker, robot, options, request, distance).run(interrupt, expanded);

@@ -1,77 +1,17 @@
 #include "fourwis_navigation/search/reachability.h"
 
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <functional>
 #include <queue>
 #include <vector>
+
+#include "free_headings.h"
 
 namespace fourwis
 {
 namespace
 {
 
-/// Headings modulo pi in one word, one bit each: the two-disc model looks the same from behind.
-constexpr int kHeadings = 32;
-using HeadingSet = std::uint32_t;
-constexpr HeadingSet kAllHeadings = ~HeadingSet{0};
-constexpr double kBin = M_PI / kHeadings;   ///< [rad]
 constexpr int kInterruptInterval = 1024;    ///< cells flooded between two looks at the interrupt
-
-HeadingSet turned_by_one_bin(HeadingSet set)
-{
-  return set << 1 | set >> (kHeadings - 1) | set >> 1 | set << (kHeadings - 1);
-}
-
-/// Which headings may be free in each cell; computed when first asked for.
-class FreeHeadings
-{
-public:
-  FreeHeadings(const CollisionChecker& checker, const CoarseCells& cells)
-    : checker_(checker), cells_(cells), known_(cells.count(), 0), free_(cells.count(), 0)
-  {
-    const TwoDiscs& discs = checker.discs();
-    // A pose of the cell differs from the one at its centre by half a diagonal and half a bin at most.
-    radius_ = discs.radius - M_SQRT1_2 * cells.size() - discs.offset * kBin / 2.0;
-    for (std::size_t k = 0; k < ring_.size(); ++k)
-    {
-      const double angle = (static_cast<double>(k) + 0.5) * kBin;
-      ring_[k] = {discs.offset * std::cos(angle), discs.offset * std::sin(angle), 0.0};
-    }
-  }
-
-  HeadingSet operator[](int cell)
-  {
-    const std::size_t c = static_cast<std::size_t>(cell);
-    if (!known_[c])
-    {
-      free_[c] = compute(cells_.centre(cell));
-      known_[c] = 1;
-    }
-    return free_[c];
-  }
-
-private:
-  HeadingSet compute(const Pose& centre) const
-  {
-    const ObstacleMap& map = checker_.map();
-    if (map.is_clear(centre.x, centre.y, radius_ + checker_.discs().offset)) return kAllHeadings;
-    HeadingSet free = 0;
-    for (std::size_t k = 0; k < kHeadings; ++k)
-      if (map.is_clear(centre.x + ring_[k].x, centre.y + ring_[k].y, radius_) &&
-          map.is_clear(centre.x - ring_[k].x, centre.y - ring_[k].y, radius_))
-        free |= HeadingSet{1} << k;
-    return free;
-  }
-
-  const CollisionChecker& checker_;
-  const CoarseCells& cells_;
-  double radius_;
-  std::array<Pose, kHeadings> ring_;  ///< front disc centres at each heading, relative to C
-  std::vector<std::uint8_t> known_;
-  std::vector<HeadingSet> free_;
-};
 
 /// One of the two floods; visits cells of least `guide` first.
 class Flood
@@ -84,9 +24,7 @@ public:
 
   void begin(const Pose& pose)
   {
-    const double half_turns = pose.theta / M_PI;
-    const int bin = static_cast<int>((half_turns - std::floor(half_turns)) * kHeadings) % kHeadings;
-    const HeadingSet here = HeadingSet{1} << bin;
+    const HeadingSet here = HeadingSet{1} << heading_bin(pose.theta);
     reach(cells_.index(pose.x, pose.y), here | turned_by_one_bin(here));
   }
 

@@ -312,7 +312,7 @@ TEST_F(ParameterFile, UnusableFilesAreRefusedByNameAndLine)
     {"a: 1\nb: {c: [}\n", ":2: not YAML"},
     {"a: 1\n\tb: 2\n", ":2: not YAML"},
     {"? [1, 2]\n: 3\n", ":1: a key must be a plain word"},
-    {"a: &loop\n  b: *loop\n", "nested deeper than"},
+    {"{a: {b: {c: {d: {e: {f: {g: {h: {i: 1}}}}}}}}}\n", ":1: maps nested deeper than 8"},
   };
   for (const auto& [text, expected] : cases)
   {

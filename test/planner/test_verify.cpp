@@ -379,8 +379,9 @@ TEST(Verify, LetsAWheelFlipAtRestButNotInMotion)
   robot.wheel_max_angle = 100.0 * kDegree;
   const double phi = 25.0 * kDegree;  // the wheels turn between 40 and 106 or 74 and 140 degrees, or 180 less
   expect_accepted(judge(Script({}, Mode::lateral, -phi).drive(0.4, 0.5).go(1.0, 0.0, phi).drive(0.4, 0.5), robot));
-  expect_refused(judge(Script({}, Mode::lateral, -phi).go(0.2, 0.4, -phi).go(1.0, 0.4, phi).go(0.2, 0.0, phi), robot),
-                 "without rest");
+  Script turning = Script({}, Mode::lateral, -phi).go(0.2, 0.4, -phi).go(1.0, 0.4, phi).go(0.2, 0.0, phi);
+  expect_refused(judge(turning, robot), "without rest");
+  expect_refused(judge(turning.go(1.0, 0.0, 0.0).drive(0.4, 0.5), robot), "without rest");
 }
 
 TEST(Verify, KeepsABranchWhileTheSpeedPassesThroughZero)

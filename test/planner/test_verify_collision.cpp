@@ -273,6 +273,39 @@ TEST(VerifyCollision, SeesThatACellIsGrazedByMicrometres)
     }
 }
 
+TEST(VerifyCollision, SeesACornerNickedForLittleMoreThanAMillimetre)
+{
+  // The front left corner of the body moves down to the right past the lower left corner of a cell, at (3, 3).
+  OccupancyGrid grid = empty_grid(120, 120, 0.05);
+  occupy(grid, 60, 60);
+  const Referee referee(grid, {}, {});
+  for (const double depth : {0.00065, -0.0005})
+    for (int k = 0; k < 60; ++k)
+    {
+      SCOPED_TRACE("depth " + std::to_string(depth) + ", phase " + std::to_string(k));
+      const double before = 0.7 + 0.0003 * k, beside = depth * M_SQRT1_2;
+      const Pose start{3.0 + beside - before - 0.5, 3.0 + beside + before - 0.31, 0.0};
+      const Script script = Script(start, Mode::parallel, -M_PI_4).drive(0.7, 2.5);
+      const Verdict verdict = referee.judge(script.start(), script.end(), script.points());
+      ASSERT_EQ(verdict.accepted(), depth < 0.0) << sentences(verdict);
+      ASSERT_NEAR(verdict.min_clearance, depth < 0.0 ? 0.0008 : 0.0, 0.0004);
+    }
+}
+
+TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
+{
+  for (const double heading : {0.0, M_PI})  // towards the wall, away from it
+    for (const double gap : {0.003, 0.0437, 0.291})
+    {
+      OccupancyGrid grid = empty_grid(120, 80, 0.05);
+      for (int row = 0; row < 80; ++row) occupy(grid, 100, row);
+      const Script there = Script({}, Mode::ackermann).drive(0.7, 2.0);
+      const double x = 5.0 - 0.5 - gap - (heading == 0.0 ? there.end().x : 0.0);
+      const Script script = Script({x, 2.0, heading}, Mode::ackermann).drive(0.7, 2.0);
+      EXPECT_NEAR(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).min_clearance, gap, 1e-9);
+    }
+}
+
 /// A random drive in one or two modes with phi changing in motion; limits are not its concern.
 Script random_drive(Dice& dice, const Pose& start)
 {
