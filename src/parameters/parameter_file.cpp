@@ -1,4 +1,6 @@
-#include <exception>
+#include <fstream>
+#include <ios>
+#include <iterator>
 #include <string>
 
 #include <yaml-cpp/yaml.h>
@@ -50,19 +52,31 @@ void flatten(const std::string& path, const std::string& prefix, const YAML::Nod
   }
 }
 
-YAML::Node load(const std::string& path)
+std::string content_of(const std::string& path)
 {
+  const std::string expected = path + ": cannot be read, expected a YAML file";
+  std::ifstream file(path);
+  if (!file) throw ConfigError(expected);
   try
   {
-    return YAML::LoadFile(path);
+    return {std::istreambuf_iterator<char>(file), {}};
   }
-  catch (const YAML::ParserException& error)
+  catch (const std::ios_base::failure&)  // a directory
+  {
+    throw ConfigError(expected);
+  }
+}
+
+YAML::Node load(const std::string& path)
+{
+  const std::string text = content_of(path);
+  try
+  {
+    return YAML::Load(text);
+  }
+  catch (const YAML::Exception& error)
   {
     refuse(path, error.mark, "not YAML: " + error.msg);
-  }
-  catch (const std::exception&)  // missing, or a directory
-  {
-    throw ConfigError(path + ": cannot be read, expected a YAML file");
   }
 }
 

@@ -1,7 +1,6 @@
 #include "verify_promises.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace fourwis::verify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/robot.h"

@@ -1,6 +1,7 @@
 #include "fourwis_navigation/search/front_end.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "fourwis_navigation/search/goal_distance.h"
@@ -17,8 +18,9 @@ namespace
 
 /// Beyond the first way to the start, distances to the goal are known this much further [m].
 constexpr double kFieldSlack = 4.0;
-/// Cells of the floods over (x, y, theta) [m].
+/// Cells of the floods over (x, y, theta) [m], and how many there may be: 64 bytes each.
 constexpr double kFloodCell = 0.05;
+constexpr double kMostFloodCells = 1e6;
 /// The quick search gets this many expansions before the thorough one takes over.
 constexpr int kQuickExpansions = 2000;
 
@@ -35,6 +37,12 @@ SearchOptions finer(SearchOptions options)
   return options;
 }
 
+double flood_cell(const ObstacleMap& map)
+{
+  const double area = map.width() * map.resolution() * map.height() * map.resolution();
+  return std::max(kFloodCell, std::sqrt(area / kMostFloodCells));
+}
+
 SearchResult failed(PlanStatus status)
 {
   SearchResult result;
@@ -46,7 +54,8 @@ SearchResult failed(PlanStatus status)
 SearchResult search_thoroughly(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                                const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
 {
-  const HolonomicDistance distance(checker, request.start, request.goal, kFloodCell, kFieldSlack, interrupt);
+  const HolonomicDistance distance(checker, request.start, request.goal, flood_cell(checker.map()), kFieldSlack,
+                                   interrupt);
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
   if (!distance.reaches_start()) return failed(PlanStatus::goal_unreachable);
@@ -72,7 +81,7 @@ SearchResult find_path(const CollisionChecker& checker, const Robot& robot, cons
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
   if (!distance.reaches_start() ||
-      !may_be_reachable(checker, distance, request.start, request.goal, kFloodCell, interrupt))
+      !may_be_reachable(checker, distance, request.start, request.goal, flood_cell(checker.map()), interrupt))
     return failed(PlanStatus::goal_unreachable);
 
   SearchOptions quick = options;

@@ -109,7 +109,8 @@ double brute_clearance(const OccupancyGrid& grid, const std::vector<Quad>& cells
   }
   const double radius = std::hypot(robot.length, robot.width) / 2 + grid.resolution;
   for (const Quad& other : cells)
-    if (distance({other[0].x, other[0].y, 0.0}, pose) - radius - grid.resolution < least)  // the others are further away
+    // Others are further away than the nearest so far.
+    if (distance({other[0].x, other[0].y, 0.0}, pose) - radius - grid.resolution < least)
       least = std::min(least, signed_distance(quad, other));
   return least;
 }
