@@ -16,13 +16,14 @@ constexpr double kExactWithin = 1.0;
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
 
 /// Cells to the nearest obstacle of the same row, looking along `step` from each cell; 0 on an obstacle.
-void scan_row(const std::uint8_t* obstacle, int begin, int end, int step, std::uint16_t* cells)
+template <typename Neighbours, typename Member>
+void scan_row(const std::uint8_t* obstacle, int begin, int end, int step, Neighbours* cells, Member side)
 {
   std::uint16_t distance = kNone;
   for (int i = begin; i != end; i += step)
   {
     distance = obstacle[i] ? 0 : static_cast<std::uint16_t>(std::min<int>(distance + 1, kNone));
-    cells[i] = distance;
+    cells[i].*side = distance;
   }
 }
 
@@ -145,12 +146,11 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)
   std::vector<std::uint8_t> obstacle(grid.data.size());
   for (std::size_t i = 0; i < obstacle.size(); ++i) obstacle[i] = rule.is_obstacle(grid.data[i]);
 
-  left_.resize(obstacle.size());
-  right_.resize(obstacle.size());
+  neighbours_.resize(obstacle.size());
   for (int j = 0; j < height_; ++j)
   {
-    scan_row(&obstacle[index(0, j)], 0, width_, 1, &left_[index(0, j)]);
-    scan_row(&obstacle[index(0, j)], width_ - 1, -1, -1, &right_[index(0, j)]);
+    scan_row(&obstacle[index(0, j)], 0, width_, 1, &neighbours_[index(0, j)], &RowNeighbours::left);
+    scan_row(&obstacle[index(0, j)], width_ - 1, -1, -1, &neighbours_[index(0, j)], &RowNeighbours::right);
   }
 
   square_distances(obstacle, width_, height_, field_);
@@ -171,17 +171,17 @@ void ObstacleMap::to_cells(double x, double y, double& column, double& row) cons
   row = (-sin_ * dx + cos_ * dy) / resolution_;
 }
 
-double ObstacleMap::exact_cells(double u, double v, double limit) const
+double ObstacleMap::exact_cells(double u, double v, double limit, double enough) const
 {
   const int column = std::min(static_cast<int>(u), width_ - 1);
   const int centre_row = std::min(static_cast<int>(v), height_ - 1);
-  double best = std::min({limit, u, width_ - u, v, height_ - v});
+  const double best = std::min({limit, u, width_ - u, v, height_ - v});
   double best_squared = best * best;
+  const double enough_squared = enough * enough;
 
   const auto look = [&](int row, double dy) {
-    const std::size_t cell = index(column, row);
-    const int left = left_[cell], right = right_[cell];
-    const double dx = left == 0 ? 0.0 : std::min(u - (column - left + 1), column + right - u);
+    const RowNeighbours& nearest = neighbours_[index(column, row)];
+    const double dx = nearest.left == 0 ? 0.0 : std::min(u - (column - nearest.left + 1), column + nearest.right - u);
     best_squared = std::min(best_squared, dx * dx + dy * dy);
   };
   look(centre_row, 0.0);
@@ -190,7 +190,7 @@ double ObstacleMap::exact_cells(double u, double v, double limit) const
     const double up = centre_row + step - v, down = v - (centre_row - step + 1);
     const bool look_up = up * up < best_squared && centre_row + step < height_;
     const bool look_down = down * down < best_squared && centre_row - step >= 0;
-    if (!look_up && !look_down) break;
+    if ((!look_up && !look_down) || best_squared < enough_squared) break;
     if (look_up) look(centre_row + step, up);
     if (look_down) look(centre_row - step, down);
   }
@@ -202,7 +202,7 @@ double ObstacleMap::distance(double x, double y) const
   double u, v;
   to_cells(x, y, u, v);
   if (!(u >= 0.0 && v >= 0.0 && u <= width_ && v <= height_)) return 0.0;
-  return exact_cells(u, v, std::numeric_limits<double>::infinity()) * resolution_;
+  return exact_cells(u, v, std::numeric_limits<double>::infinity(), 0.0) * resolution_;
 }
 
 bool ObstacleMap::is_clear(double x, double y, double radius) const
@@ -214,7 +214,7 @@ bool ObstacleMap::is_clear(double x, double y, double radius) const
   if (bound >= radius) return true;
   if (bound + slack_ < radius) return false;
   const double limit = radius / resolution_;
-  return exact_cells(u, v, limit) >= limit;
+  return exact_cells(u, v, limit, limit) >= limit;
 }
 
 bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance) const
@@ -228,7 +228,7 @@ bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance)
   // Far from obstacles the bound is good enough, close to them a cell more or less makes the difference.
   const double exact = bound >= kExactWithin * slack_
                            ? bound
-                           : exact_cells(u, v, (radius + bound + slack_) / resolution_) * resolution_ - radius;
+                           : exact_cells(u, v, (radius + bound + slack_) / resolution_, radius / resolution_) * resolution_ - radius;
   if (exact < 0.0) return false;
   clearance = std::min(clearance, exact);
   return true;

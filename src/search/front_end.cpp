@@ -24,6 +24,9 @@ constexpr double kMostFloodCells = 1e6;
 /// The quick search gets this many expansions before the thorough one takes over.
 constexpr int kQuickExpansions = 2000;
 
+/// A pass of shortcuts that gains less than this share of the cost is the last.
+constexpr double kLeastShortcutGain = 0.01;
+
 /// Half the cell, half the step, the same cost of each metre.
 SearchOptions finer(SearchOptions options)
 {
@@ -68,7 +71,11 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
   const MotionCost cost(robot, options);
   const ModeCurves curves(robot, options, cost, request.modes);
   for (int pass = 0; pass < options.shortcut_passes; ++pass)
+  {
+    const double before = path.cost;
     path = shortcut(checker, curves, cost, path, request.modes.first(), interrupt);
+    if (path.cost > (1.0 - kLeastShortcutGain) * before) break;
+  }
   return path;
 }
 

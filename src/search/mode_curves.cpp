@@ -69,14 +69,13 @@ void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double long
   {
     const ReedsSheppPath& word = words.paths[static_cast<std::size_t>(w)];
     if (word.length / kappa >= longest) continue;
-    ModeCurve curve;
+    ModeCurve& curve = curves.emplace_back();
     for (int i = 0; i < word.count; ++i)
     {
       const ReedsSheppSegment& segment = word.segments[static_cast<std::size_t>(i)];
       if (std::abs(segment.length) > kNoLength)
         curve.append(mode, segment.turn * robot_.max_steering_angle, segment.length / kappa);
     }
-    curves.push_back(curve);
   }
 }
 

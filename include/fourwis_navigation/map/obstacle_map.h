@@ -42,15 +42,23 @@ private:
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column);
   }
-  double exact_cells(double u, double v, double limit) const;
+
+  /// Cells to the nearest obstacle of the same row on either side; 0 on an obstacle.
+  struct RowNeighbours
+  {
+    std::uint16_t left, right;
+  };
+
+  /// Distance in cells from (u, v), no more than `limit`; below `enough`, any upper bound of it.
+  double exact_cells(double u, double v, double limit, double enough) const;
 
   int width_, height_;
   double resolution_;
   Pose origin_;
   double cos_, sin_;
   double slack_;  ///< how much further than field_ says a point may be from the obstacles: a cell's diagonal [m]
-  std::vector<float> field_;               ///< square to square, rounded down [m]
-  std::vector<std::uint16_t> left_, right_;  ///< cells to the nearest obstacle of the same row, either side; 0 on one
+  std::vector<float> field_;  ///< square to square, rounded down [m]
+  std::vector<RowNeighbours> neighbours_;
 };
 
 /// Throws std::invalid_argument naming field, value and what was expected when a grid is unusable: no cells, data size not
