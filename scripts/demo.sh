@@ -15,17 +15,21 @@ source "$root/scripts/environment.sh"
 # OctoMap's documentation comes with a 3D laser map of building 079 of the university of Freiburg.
 building=$(dpkg -L liboctomap-dev 2>/dev/null | grep '/geb079\.bt$' || true)
 if [[ -e $building ]]; then
+  # Its doors are half a metre wide: from one room through two of them into another, with a robot that fits.
   map=(octomap "$building")
-  start=0,0,0
-  goal=25,0.5,1.57
+  robot=$root/config/robot_compact.yaml
+  start=2.4,-3.6,-1.5708
+  goal=16.9,2.9,-1.5708
 else
   echo "No laser map of a building here (liboctomap-dev without its documentation); using a map of ours instead."
   map=(map "$root/config/env1.yaml")
+  robot=$root/config/robot.yaml
   start=1,1,0
   goal=10,10,0
 fi
 
-"$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --start "$start" --goal "$goal" --svg "$picture"
+"$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --robot "$robot" \
+  "--start=$start" "--goal=$goal" --svg "$picture"
 echo "The plan: $picture"
 if command -v rsvg-convert >/dev/null; then
   rsvg-convert --width 1600 "$picture" --output "${picture%.svg}.png"
@@ -43,7 +47,7 @@ show_in_rviz()
   set +u
   source "$build/devel/setup.bash"
   set -u
-  roslaunch fourwis_navigation plan.launch "${map[0]}:=${map[1]}" &
+  roslaunch fourwis_navigation plan.launch "${map[0]}:=${map[1]}" "robot:=$robot" &
   local launch=$!
   trap 'kill "$launch" 2>/dev/null; wait "$launch"' EXIT
   until rostopic echo -n 1 /move_base/status >/dev/null 2>&1; do sleep 0.5; done

@@ -148,8 +148,9 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
     metrics.terminal_yaw_error = verdict.terminal_yaw_error;
     measure(result.trajectory, robot_, metrics);
     result.status = verdict.accepted() ? PlanStatus::succeeded : PlanStatus::verification_failed;
-    result.message = verdict.accepted() ? sentence("%.2f m in %.2f s with %d mode switches", metrics.length,
-                                                   metrics.arrival_time, metrics.switches)
+    result.message = verdict.accepted() ? sentence("%.2f m in %.2f s with %d mode switch%s", metrics.length,
+                                                   metrics.arrival_time, metrics.switches,
+                                                   metrics.switches == 1 ? "" : "es")
                                         : verdict.violations.front().what;
   }
   metrics.total_ms = world.build_ms + ms_since(begin);

@@ -96,13 +96,13 @@ private:
   {
     if (duration <= 1e-12) return;
     const double sign = stretch.length < 0.0 ? -1.0 : 1.0, begin = time_;
-    points_.back().a = sign * a;
+    points_.back().a = a == 0.0 ? 0.0 : sign * a;
     const int steps = static_cast<int>(std::ceil(duration / kPointInterval));
     for (int k = 1; k <= steps; ++k)
     {
       const double t = duration * k / steps;
       time_ = begin + t;
-      add(stretch, sign * (s + v * t + a * t * t / 2.0), sign * (v + a * t), sign * a);
+      add(stretch, sign * (s + v * t + a * t * t / 2.0), sign * (v + a * t), a == 0.0 ? 0.0 : sign * a);
     }
   }
 

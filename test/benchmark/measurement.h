@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/planner/planner.h"
+
+namespace fourwis::benchmark
+{
+
+/// What is measured, and how often.
+struct Setup
+{
+  Robot robot;
+  PlannerOptions options;
+  ModeSet modes;
+  int runs = 20;
+};
+
+/// Repeated runs of one problem.
+struct Measurement
+{
+  PlanResult result;                ///< the same in each run
+  std::vector<double> frontend_ms;  ///< from the grid to the path and its speed profile, obstacle map included
+  std::vector<double> verify_ms;
+};
+
+/// Plans `setup.runs` times from the grid, keeping nothing between runs. Throws std::logic_error when two runs differ in
+/// more than time: the planner is deterministic, unless planner_patience is over.
+Measurement measure(const Setup& setup, const OccupancyGrid& grid, const Pose& start, const Pose& goal);
+
+/// Milliseconds since.
+double ms_since(std::chrono::steady_clock::time_point begin);
+
+}  // namespace fourwis::benchmark
