@@ -50,11 +50,16 @@ show_in_rviz()
   roslaunch fourwis_navigation plan.launch "${map[0]}:=${map[1]}" "robot:=$robot" &
   local launch=$!
   trap 'kill "$launch" 2>/dev/null; wait "$launch"' EXIT
-  until rostopic echo -n 1 /move_base/status >/dev/null 2>&1; do sleep 0.5; done
+  trap 'exit 130' INT TERM
+  until timeout --foreground 5 rostopic echo -n 1 /move_base/planner_status >/dev/null 2>&1; do
+    kill -0 "$launch" || return 1
+    sleep 0.5
+  done
   rostopic pub -1 /initialpose geometry_msgs/PoseWithCovarianceStamped \
     "{header: {frame_id: map}, pose: {pose: $(pose "$start")}}"
   rostopic pub -1 /move_base_simple/goal geometry_msgs/PoseStamped "{header: {frame_id: map}, pose: $(pose "$goal")}"
   echo "Set another start with '2D Pose Estimate', another goal with '2D Nav Goal'; Ctrl-C ends the demo."
+  echo "(For other terminals: export ROS_MASTER_URI=$ROS_MASTER_URI)"
   wait "$launch"
 }
 

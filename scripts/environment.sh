@@ -7,3 +7,7 @@ if [[ -e /opt/ros/noetic/setup.bash ]]; then
   source /opt/ros/noetic/setup.bash
   set -u
 fi
+
+# Nothing of a robot that runs is touched: the demo has a master of its own, so has each rostest.
+unset ROS_IP ROS_NAMESPACE
+export ROS_HOSTNAME=localhost ROS_MASTER_URI=http://localhost:11411

@@ -9,10 +9,7 @@ build=$root/build
 "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON all tests
 
 source "$root/scripts/environment.sh"
-# Nothing of a running robot is touched: each rostest has a master of its own on this machine, logs stay in build/.
-unset ROS_IP ROS_MASTER_URI ROS_NAMESPACE
-export ROS_HOSTNAME=localhost ROS_HOME=$build/ros_home
-
+export ROS_HOME=$build/ros_home
 rm -rf "$build/test_results"
 cd "$build"
 ctest --output-on-failure --no-tests=error --timeout 300 --parallel "$(nproc)"

@@ -171,6 +171,13 @@ void ObstacleMap::to_cells(double x, double y, double& column, double& row) cons
   row = (-sin_ * dx + cos_ * dy) / resolution_;
 }
 
+int ObstacleMap::next_obstacle(int column, int row) const
+{
+  // Distances are cut at what a RowNeighbours holds, so a look may end on the way.
+  while (column < width_ && neighbours_[index(column, row)].right > 0) column += neighbours_[index(column, row)].right;
+  return std::min(column, width_);
+}
+
 double ObstacleMap::exact_cells(double u, double v, double limit, double enough) const
 {
   const int column = std::min(static_cast<int>(u), width_ - 1);
@@ -209,7 +216,7 @@ bool ObstacleMap::is_clear(double x, double y, double radius) const
 {
   double u, v;
   to_cells(x, y, u, v);
-  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return false;
+  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return radius <= 0.0;
   const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))];
   if (bound >= radius) return true;
   if (bound + slack_ < radius) return false;
@@ -221,7 +228,12 @@ bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance)
 {
   double u, v;
   to_cells(x, y, u, v);
-  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_)) return false;
+  if (!(u >= 0.0 && v >= 0.0 && u < width_ && v < height_))
+  {
+    if (!(radius <= 0.0)) return false;
+    clearance = std::min(clearance, -radius);
+    return true;
+  }
   const double bound = field_[index(static_cast<int>(u), static_cast<int>(v))] - radius;
   if (bound + slack_ < 0.0) return false;
   if (bound >= clearance) return true;

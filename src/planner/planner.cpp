@@ -57,8 +57,10 @@ std::string search_sentence(const SearchResult& found, const PlanRequest& reques
   switch (found.status)
   {
     case PlanStatus::goal_unreachable:
-      return sentence("no way from (%.2f, %.2f) to (%.2f, %.2f) is wide enough for the robot", request.start.x,
-                      request.start.y, request.goal.x, request.goal.y);
+      return sentence("the robot cannot get from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f): %s", request.start.x,
+                      request.start.y, request.start.theta, request.goal.x, request.goal.y, request.goal.theta,
+                      request.modes.ackermann || request.modes.lateral ? "no way is wide enough"
+                                                                       : "parallel motion alone does not turn");
     case PlanStatus::timeout:
       return sentence("planner_patience was over after %d expansions", found.expansions);
     case PlanStatus::cancelled:

@@ -38,16 +38,19 @@ std::vector<PathPiece> merge(const std::vector<PathPiece>& pieces)
   return stretches;
 }
 
-/// Least time in which phi can change from one angle to another at a constant rate within a mode [s]: its own limit, and
-/// each wheel's where it turns fastest.
+/// Least time in which phi can change from one angle to another at a constant rate within a mode [s]: its own limit,
+/// each wheel's where it turns fastest, and the way round of wheels that may not follow because of their travel.
 double steering_time(const Robot& robot, Mode mode, double from, double to)
 {
-  double time = std::abs(to - from) / robot.max_steering_rate;
   WheelAngles last = wheel_angles(robot, mode, from);
+  double time = std::max(std::abs(to - from) / robot.max_steering_rate,
+                         reorientation_time(robot, last, wheel_angles(robot, mode, to)));
+  Robot unlimited = robot;
+  unlimited.wheel_max_angle = 2.0 * M_PI;
   for (int k = 1; k <= kSteeringSamples; ++k)
   {
     const WheelAngles next = wheel_angles(robot, mode, from + (to - from) * k / kSteeringSamples);
-    time = std::max(time, kSteeringSamples * reorientation_time(robot, last, next));
+    time = std::max(time, kSteeringSamples * reorientation_time(unlimited, last, next));
     last = next;
   }
   // Between samples a wheel may turn a little faster; and two points never share one time.

@@ -32,12 +32,14 @@ std_msgs::ColorRGBA colour_of(Mode mode, float alpha)
 {
   switch (mode)
   {
-    case Mode::ackermann: return colour(0.12f, 0.47f, 0.71f, alpha);
-    case Mode::lateral: return colour(1.0f, 0.5f, 0.05f, alpha);
-    case Mode::parallel: return colour(0.17f, 0.63f, 0.17f, alpha);
+    case Mode::ackermann: return colour(0.12f, 0.44f, 0.82f, alpha);
+    case Mode::lateral: return colour(0.94f, 0.54f, 0.11f, alpha);
+    case Mode::parallel: return colour(0.16f, 0.62f, 0.29f, alpha);
     default: return colour(0.5f, 0.5f, 0.5f, alpha);
   }
 }
+
+constexpr double kTextSize = 0.4;
 
 const std_msgs::ColorRGBA kStartColour = colour(0.3f, 0.3f, 0.3f, 1.0f);
 const std_msgs::ColorRGBA kGoalColour = colour(0.84f, 0.15f, 0.16f, 1.0f);
@@ -147,7 +149,18 @@ visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanReque
                    switch_marker(trajectory, header),
                    end_marker("start", robot, request.start, kStartColour, header),
                    end_marker("goal", robot, request.goal, kGoalColour, header)};
+  // The plan before it may have failed.
+  array.markers.push_back(finished(marker("failure", Marker::TEXT_VIEW_FACING, kTextSize, header)));
   return array;
+}
+
+visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, const std_msgs::Header& header)
+{
+  Marker text = marker("failure", Marker::TEXT_VIEW_FACING, kTextSize, header);
+  text.color = kGoalColour;
+  text.pose.position = point(goal, kEndHeight);
+  text.text = to_string(status);
+  return text;
 }
 
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header)

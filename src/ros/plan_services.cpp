@@ -57,6 +57,7 @@ void PlanServices::plan_trajectory(const PlanTrajectory::Request& request, PlanT
     response.status = to_string(result.status);
     response.message = result.message;
     response.metrics = to_message(result.metrics);
+    response.map_stamp = answer.map_stamp;
     if (response.success)
       response.trajectory = to_message(result.trajectory, response.trajectory.header);
     else

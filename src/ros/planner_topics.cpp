@@ -41,7 +41,7 @@ void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAn
 {
   if (answer.result.status != PlanStatus::succeeded)
   {
-    if (show_expansions_) publish_expansions(answer.trace);
+    publish_failure_markers(answer);
     publish_failure(goal, "", answer);
     return;
   }
@@ -99,14 +99,14 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer)
   marker_.publish(markers_);
 }
 
-void PlannerTopics::publish_expansions(const PlanTrace& trace)
+void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)
 {
   const std_msgs::Header now = header();
   const std::lock_guard<std::mutex> lock(mutex_);
-  // The topic is latched: whoever comes late must see the last plan as well.
+  // The topic is latched: whoever comes late must see the last plan as well. What comes later in the array counts.
   visualization_msgs::MarkerArray markers = markers_;
-  if (!markers.markers.empty()) markers.markers.pop_back();
-  markers.markers.push_back(expansion_marker(trace, now));
+  markers.markers.push_back(failure_marker(answer.request.goal, answer.result.status, now));
+  if (show_expansions_) markers.markers.push_back(expansion_marker(answer.trace, now));
   marker_.publish(markers);
 }
 

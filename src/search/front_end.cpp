@@ -53,6 +53,13 @@ SearchResult failed(PlanStatus status)
   return result;
 }
 
+/// Parallel motion alone does not turn.
+bool may_turn(const PlanRequest& request)
+{
+  return request.modes.ackermann || request.modes.lateral ||
+         std::abs(wrap_angle(request.goal.theta - request.start.theta)) <= ModeCurves::kSameHeading;
+}
+
 /// For places where the quick search finds no way: finer, and guided by the headings at which the robot fits.
 SearchResult search_thoroughly(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                                const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
@@ -84,6 +91,7 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                        const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
 {
+  if (!may_turn(request)) return failed(PlanStatus::goal_unreachable);
   const GoalDistance distance(checker, request.start, request.goal, kFieldSlack, interrupt);
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);

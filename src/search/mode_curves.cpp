@@ -12,8 +12,6 @@ namespace fourwis
 namespace
 {
 
-/// Parallel motion cannot turn, so it connects only poses of one heading; this much rounding is passed over [rad].
-constexpr double kSameHeading = 1e-4;
 /// Shorter pieces are rounding [m].
 constexpr double kNoLength = 1e-9;
 constexpr Mode kTurningModes[] = {Mode::ackermann, Mode::lateral};

@@ -2,11 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
 {
+namespace
+{
+
+/// Least turn from one angle modulo pi to another of a wheel that turns within +- travel; without regard to the travel
+/// where one of them lies beyond it.
+double least_turn(double from, double to, double travel)
+{
+  const double shortest = std::abs(std::remainder(to - from, M_PI)), rounding = 1e-9;
+  const auto lowest = [&](double angle) { return angle + std::ceil((-travel - rounding - angle) / M_PI) * M_PI; };
+  double least = std::numeric_limits<double>::infinity();
+  for (double a = lowest(from); a <= travel + rounding; a += M_PI)
+    for (double b = lowest(to); b <= travel + rounding; b += M_PI) least = std::min(least, std::abs(b - a));
+  return std::isfinite(least) ? least : shortest;
+}
+
+}  // namespace
 
 WheelAngles wheel_angles(const Robot& robot, Mode mode, double phi)
 {
@@ -31,7 +48,7 @@ double reorientation_time(const Robot& robot, const WheelAngles& from, const Whe
 {
   double greatest = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i)
-    greatest = std::max(greatest, std::abs(std::remainder(to[i] - from[i], M_PI)));
+    greatest = std::max(greatest, least_turn(from[i], to[i], robot.wheel_max_angle));
   return greatest / robot.wheel_max_rate;
 }
 

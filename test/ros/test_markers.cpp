@@ -63,7 +63,7 @@ TEST(Markers, everything_is_in_the_frame_of_the_plan_and_replaces_what_was_drawn
     EXPECT_EQ(marker.pose.orientation.w, 1.0);
     EXPECT_TRUE(names.insert(marker.ns).second) << marker.ns << " is there twice";
   }
-  EXPECT_EQ(names, (std::set<std::string>{"path", "footprints", "switches", "start", "goal"}));
+  EXPECT_EQ(names, (std::set<std::string>{"path", "footprints", "switches", "start", "goal", "failure"}));
 }
 
 TEST(Markers, each_mode_has_a_colour_of_its_own_in_path_and_footprints)
@@ -106,6 +106,16 @@ TEST(Markers, what_a_plan_does_not_have_is_removed_from_the_display)
   EXPECT_EQ(named(array, "switches").action, Marker::DELETE);
   EXPECT_EQ(named(array, "path").action, Marker::ADD);
   EXPECT_EQ(expansion_marker({}, {}).action, Marker::DELETE);
+}
+
+TEST(Markers, a_failure_is_written_at_its_goal_until_the_next_plan)
+{
+  const Marker text = failure_marker({4, 1, 0}, PlanStatus::no_path, {});
+  EXPECT_EQ(text.text, "no_path");
+  EXPECT_EQ(text.pose.position.x, 4.0);
+  const Marker removed = named(markers(switching_trajectory()), text.ns);
+  EXPECT_EQ(removed.action, Marker::DELETE);
+  EXPECT_EQ(removed.id, text.id);
 }
 
 TEST(Markers, every_expanded_node_is_a_point)

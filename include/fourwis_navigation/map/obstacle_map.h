@@ -34,6 +34,10 @@ public:
   /// Least distance between any point of the cell and any obstacle [m]. The cell must lie in the grid.
   double cell_distance(int column, int row) const { return field_[index(column, row)]; }
 
+  /// First column of an obstacle in a row, looking from `column` on; width() when there is none. The row must lie in the
+  /// grid, and the column must not be negative.
+  int next_obstacle(int column, int row) const;
+
   /// Position in cells of a point in the map frame: (0, 0) is the origin, (1, 1) the far corner of cell (0, 0).
   void to_cells(double x, double y, double& column, double& row) const;
 

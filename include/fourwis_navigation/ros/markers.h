@@ -16,6 +16,9 @@ namespace fourwis
 visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanRequest& request,
                                              const Trajectory& trajectory, const std_msgs::Header& header);
 
+/// The status of a plan that failed, written at its goal; plan_markers() removes it.
+visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, const std_msgs::Header& header);
+
 /// The nodes that the search expanded, as points.
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header);
 

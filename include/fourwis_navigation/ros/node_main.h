@@ -12,6 +12,7 @@ namespace fourwis
 template <class Run>
 int node_main(Run run)
 {
+  const ros::NodeHandle alive;  // with the last handle ROS shuts down, and its console with it
   try
   {
     run();

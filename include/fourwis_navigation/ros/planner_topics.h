@@ -34,7 +34,7 @@ public:
 
 private:
   void publish_plan(const PlanAnswer& answer);
-  void publish_expansions(const PlanTrace& trace);
+  void publish_failure_markers(const PlanAnswer& answer);
   fourwis_navigation::PlannerStatus status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const;
   void publish_status(const fourwis_navigation::PlannerStatus& status);
 

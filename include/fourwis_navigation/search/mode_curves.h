@@ -32,6 +32,9 @@ struct ModeCurve
 class ModeCurves
 {
 public:
+  /// Parallel motion cannot turn, so it connects only poses of one heading; this much rounding is passed over [rad].
+  static constexpr double kSameHeading = 1e-4;
+
   /// Keeps references: all must outlive this object.
   ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes);
 

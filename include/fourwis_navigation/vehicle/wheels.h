@@ -18,8 +18,8 @@ WheelAngles wheel_angles(const Robot& robot, Mode mode, double phi);
 /// Speed of the fastest wheel for each m/s of C.
 double wheel_speed_ratio(const Robot& robot, Mode mode, double phi);
 
-/// Least time in which all wheels can turn at rest from the one to the other, each by the shorter of the two ways that
-/// give the same motion, at `robot.wheel_max_rate` [s].
+/// Least time in which all wheels can turn at rest from the one to the other, each by the shortest way within
+/// `robot.wheel_max_angle` that gives the same motion, at `robot.wheel_max_rate` [s].
 double reorientation_time(const Robot& robot, const WheelAngles& from, const WheelAngles& to);
 
 }  // namespace fourwis

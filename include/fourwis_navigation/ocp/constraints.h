@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "fourwis_navigation/ocp/problem.h"
+
+namespace fourwis::ocp
+{
+
+/// The constraints of a problem as the interior point sees them: bounds and rows relaxed by 1e-8 (relative above 1), so
+/// that there is an interior where bounds coincide or constraints leave one point only.
+template <int NX, int NU>
+struct Constraints
+{
+  std::vector<Bounds<NX, NU>> bounds;  ///< N + 1; infinite for what is fixed: x_0, fixed components of x_N, "u_N"
+  std::vector<RowLimit> rows;
+  std::vector<int> first_row;  ///< N + 2: stage k has the rows first_row[k] .. first_row[k + 1] - 1
+  Vector<NX> initial_state;
+  Vector<NX> goal;
+  std::array<bool, NX> fixed;  ///< components of x_N
+
+  int intervals() const { return static_cast<int>(bounds.size()) - 1; }
+
+  /// Whether component i of x_k is given, not found.
+  bool is_given(int k, int i) const { return k == 0 || (k == intervals() && fixed[i]); }
+
+  void set(const Problem<NX, NU>& problem);
+};
+
+namespace detail
+{
+
+constexpr double kRelaxation = 1e-8;
+
+inline double relaxation(double limit)
+{
+  return std::isfinite(limit) ? kRelaxation * std::max(1.0, std::abs(limit)) : 0.0;
+}
+
+}  // namespace detail
+
+template <int NX, int NU>
+void Constraints<NX, NU>::set(const Problem<NX, NU>& problem)
+{
+  initial_state = problem.initial_state;
+  goal = problem.terminal_state;
+  fixed = problem.terminal_fixed;
+  bounds = problem.bounds;
+  for (Bounds<NX, NU>& bound : bounds)
+  {
+    bound.lower -= bound.lower.unaryExpr(&detail::relaxation);
+    bound.upper += bound.upper.unaryExpr(&detail::relaxation);
+  }
+  const int last = intervals();
+  for (int i = 0; i < NX; ++i)
+  {
+    if (is_given(0, i)) bounds[0].lower[i] = -kInfinity, bounds[0].upper[i] = kInfinity;
+    if (is_given(last, i)) bounds[last].lower[i] = -kInfinity, bounds[last].upper[i] = kInfinity;
+  }
+  bounds[last].lower.template tail<NU>().setConstant(-kInfinity);
+  bounds[last].upper.template tail<NU>().setConstant(kInfinity);
+
+  rows = problem.rows;
+  for (RowLimit& row : rows) row.upper += detail::relaxation(row.upper);
+  first_row.assign(1, 0);
+  for (const int count : problem.row_counts) first_row.push_back(first_row.back() + count);
+}
+
+/// Whether sizes fit, given states are finite, lower <= upper, weights are positive, and row limits are finite.
+template <int NX, int NU>
+bool is_valid(const Problem<NX, NU>& problem)
+{
+  if (problem.intervals() < 1 || problem.row_counts.size() != problem.bounds.size()) return false;
+  if (!problem.initial_state.allFinite()) return false;
+  for (int i = 0; i < NX; ++i)
+    if (problem.terminal_fixed[i] && !std::isfinite(problem.terminal_state[i])) return false;
+  for (const Bounds<NX, NU>& bound : problem.bounds)
+    if (!((bound.lower.array() <= bound.upper.array()) && (bound.lower.array() < kInfinity) &&
+          (bound.upper.array() > -kInfinity)).all())
+      return false;
+  std::size_t rows = 0;
+  for (const int count : problem.row_counts)
+  {
+    if (count < 0) return false;
+    rows += count;
+  }
+  return rows == problem.rows.size() &&
+         std::all_of(problem.rows.begin(), problem.rows.end(),
+                     [](const RowLimit& row) { return std::isfinite(row.upper) && row.weight > 0.0; });
+}
+
+template <int NX, int NU>
+bool has_size(const Trajectory<NX, NU>& trajectory, int intervals)
+{
+  return static_cast<int>(trajectory.states.size()) == intervals + 1 &&
+         static_cast<int>(trajectory.controls.size()) == intervals;
+}
+
+template <int NX, int NU>
+bool has_size(const Multipliers<NX, NU>& multipliers, const Problem<NX, NU>& problem)
+{
+  return multipliers.dynamics.size() + 1 == problem.bounds.size() && multipliers.lower.size() == problem.bounds.size() &&
+         multipliers.upper.size() == problem.bounds.size() && multipliers.rows.size() == problem.rows.size();
+}
+
+template <int NX, int NU>
+bool is_finite(const Trajectory<NX, NU>& trajectory)
+{
+  const auto finite = [](const auto& vector) { return vector.allFinite(); };
+  return std::all_of(trajectory.states.begin(), trajectory.states.end(), finite) &&
+         std::all_of(trajectory.controls.begin(), trajectory.controls.end(), finite);
+}
+
+}  // namespace fourwis::ocp

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include "fourwis_navigation/model/corridor.h"
+#include "fourwis_navigation/model/interrupt.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/segment.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
+
+namespace fourwis
+{
+
+/// What became of one solve. `points` begin at t = 0 and are the solver's knots; they are filled also where it did not
+/// converge, as the start of another try.
+struct SegmentSolution
+{
+  bool solved = false;
+  std::string message;             ///< the solver's word for how it ended
+  Trajectory points;
+  int iterations = 0;
+  double corridor_violation = 0.0;  ///< greatest distance by which a disc centre leaves its region at a knot [m]
+};
+
+/// The paper's eq. (26) for one segment, on the structured solver and without its penalties:
+///   minimise    sum_k h_k + alpha (v_k omega_k)^2 h_k + w_h (h_k - h_ref)^2 + penalty of leaving the corridor
+///   subject to  x_{k+1} = F(x_k, u_k)  (Simpson's rule, hard), limits on v, phi, a, omega, h,
+///               both disc centres at knot k in the regions of the intervals k - 1 and k,
+///               the segment's first and last pose, v = 0 at both.
+/// phi starts at the reference's and ends where it wants: the wheels are turned at rest in between.
+class SegmentOptimizer
+{
+public:
+  SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
+
+  /// Solves from the reference, or from `previous` with as many points where it is given, to `tolerance`.
+  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous, double tolerance,
+                        const Interrupt& interrupt) const;
+
+private:
+  const Robot& robot_;
+  const OptimizeOptions& options_;
+  double reference_speed_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/corridor/polytope_corridor.h"
+#include "fourwis_navigation/map/collision.h"
+#include "fourwis_navigation/model/interrupt.h"
+#include "fourwis_navigation/model/path.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
+
+namespace fourwis
+{
+
+/// What the back end made of a path.
+struct Refinement
+{
+  Trajectory trajectory;   ///< of the whole path; empty when interrupted
+  int segments = 0;
+  int fallbacks = 0;         ///< segments that are driven by stop_and_steer because their optimisation failed
+  int outer_iterations = 0;  ///< rounds of corridor and optimisation, most of all segments
+  int solver_iterations = 0;  ///< sum over segments and rounds
+  std::string message;        ///< why a segment fell back, if one did
+  std::vector<Corridor> corridors;  ///< the last of each segment
+};
+
+/// The paper's section III-B with the regions and the solver described in doc/deviations.md: the path is split at its
+/// switches, each segment goes through corridor <-> optimisation, on threads of their own, and the parts are joined with
+/// stationary switches. Deterministic whatever the number of threads.
+Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
+                  const OptimizeOptions& options, double reference_speed, const Path& path,
+                  const Interrupt& interrupt);
+
+}  // namespace fourwis

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "closest_points.h"
+#include "fourwis_navigation/corridor/polytope_corridor.h"
+
+namespace fourwis
+{
+
+/// The region of one chord, in the grid's frame.
+struct ChordRegion
+{
+  Polytope planes;       ///< empty when the chord meets an obstacle
+  double deficit = 0.0;  ///< of the distance asked for, what the region does not keep [m]
+};
+
+/// See polytope_corridor(); `keep` is the distance asked for, r_c + shrink [m].
+ChordRegion chord_region(const ObstacleRectangles& obstacles, const Chord& chord, double keep,
+                         const PolytopeOptions& options);
+
+}  // namespace fourwis

@@ -1,0 +1,85 @@
+#include "fourwis_navigation/corridor/polytope_corridor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "chord_region.h"
+#include "polygon.h"
+#include "refusal.h"
+
+namespace fourwis
+{
+namespace
+{
+
+void check(const PolytopeOptions& options)
+{
+  if (!(options.range > 0.0) || !std::isfinite(options.range))
+    throw std::invalid_argument(sentence("range is %g m, expected a positive, finite number", options.range));
+  if (options.max_half_planes < 4)
+    throw std::invalid_argument(sentence("max_half_planes is %d, expected at least 4", options.max_half_planes));
+}
+
+/// What is wrong with the question; empty when nothing is.
+std::string complaint(const std::vector<Pose>& knots, const std::vector<double>& shrink)
+{
+  const std::string wrong = complaint(knots);
+  if (!wrong.empty()) return wrong;
+  if (!shrink.empty() && shrink.size() != knots.size() - 1)
+    return sentence("shrink has %zu values for %zu intervals", shrink.size(), knots.size() - 1);
+  for (std::size_t i = 0; i < shrink.size(); ++i)
+    if (!(shrink[i] >= 0.0) || !std::isfinite(shrink[i]))
+      return sentence("shrink of interval %zu is %g m, expected a finite number, 0 or more", i, shrink[i]);
+  return {};
+}
+
+std::string collision_sentence(std::size_t interval, const char* disc, const Pose& from, const Pose& to)
+{
+  return sentence("between knots %zu and %zu the centre of the %s disc meets an obstacle or the map's border: it goes "
+                  "from (%.6g, %.6g) to (%.6g, %.6g)",
+                  interval, interval + 1, disc, from.x, from.y, to.x, to.y);
+}
+
+}  // namespace
+
+PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs,
+                                   const PolytopeOptions& options, const std::vector<Pose>& knots,
+                                   const std::vector<double>& shrink)
+{
+  check(options);
+  const std::string wrong = complaint(knots, shrink);
+  if (!wrong.empty()) return refusal<Corridor>(CorridorStatus::invalid_input, wrong);
+
+  PolytopeCorridor corridor;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+  {
+    const double keep = discs.radius + (shrink.empty() ? 0.0 : shrink[i]);
+    double deficit = 0.0;
+    for (const bool is_front : {true, false})
+    {
+      const Pose centre{is_front ? discs.offset : -discs.offset, 0.0, 0.0};
+      const Pose from = compose(knots[i], centre), to = compose(knots[i + 1], centre);
+      const Chord chord(obstacles.to_grid(from.x, from.y), obstacles.to_grid(to.x, to.y));
+      ChordRegion region = chord_region(obstacles, chord, keep, options);
+      if (region.planes.empty())
+        return refusal<Corridor>(CorridorStatus::in_collision,
+                                 collision_sentence(i, is_front ? "front" : "rear", from, to));
+      for (HalfPlane& plane : region.planes) plane = obstacles.to_map(plane);
+      (is_front ? corridor.regions.front : corridor.regions.rear).push_back(std::move(region.planes));
+      deficit = std::max(deficit, region.deficit);
+    }
+    corridor.deficit.push_back(deficit);
+  }
+  corridor.status = CorridorStatus::succeeded;
+  return corridor;
+}
+
+std::vector<Point2> corners(const Polytope& polytope, const Point2& centre, double reach)
+{
+  Polygon polygon(centre, reach);
+  for (std::size_t i = 0; i < polytope.size(); ++i) polygon.cut(polytope[i], static_cast<int>(i));
+  return polygon.corners();
+}
+
+}  // namespace fourwis

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fourwis_navigation/corridor/corridor_result.h"
+#include "fourwis_navigation/model/pose.h"
+
+namespace fourwis
+{
+
+/// printf into a string of at most 255 characters.
+template <typename... Numbers>
+std::string sentence(const char* format, Numbers... numbers)
+{
+  char text[256];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+template <typename Regions>
+CorridorResult<Regions> refusal(CorridorStatus status, std::string message)
+{
+  CorridorResult<Regions> result;
+  result.status = status;
+  result.message = std::move(message);
+  return result;
+}
+
+/// What is wrong with the knots; empty when nothing is.
+inline std::string complaint(const std::vector<Pose>& knots)
+{
+  if (knots.size() < 2) return sentence("the reference has %zu knots, expected at least 2", knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    if (!is_finite(knots[i])) return sentence("knot %zu is not finite", i);
+  return {};
+}
+
+}  // namespace fourwis

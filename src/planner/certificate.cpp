@@ -1,0 +1,89 @@
+#include "fourwis_navigation/planner/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fourwis_navigation/optimize/simpson.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// No more than this is moved between two looks when an obstacle is touched [m].
+constexpr double kLeastStep = 0.002;
+/// More clearance is not distinguished [m].
+constexpr double kFar = 0.1;
+/// Parts of an interval whose sum stands for the exact motion.
+constexpr int kParts = 8;
+
+using State = SimpsonDynamics::State;
+using Control = SimpsonDynamics::Control;
+
+State state_of(const TrajectoryPoint& p)
+{
+  State x;
+  x << p.x, p.y, p.theta, p.v, p.phi;
+  return x;
+}
+
+State after(const SimpsonDynamics& dynamics, const TrajectoryPoint& p, double t)
+{
+  return dynamics.next(state_of(p), Control(p.a, p.omega, t));
+}
+
+/// How far the exact motion from one point misses the next [m].
+double rollout_miss(const SimpsonDynamics& dynamics, const TrajectoryPoint& from, const TrajectoryPoint& to)
+{
+  State x = state_of(from);
+  for (int i = 0; i < kParts; ++i) x = dynamics.next(x, Control(from.a, from.omega, (to.t - from.t) / kParts));
+  return std::hypot(x[0] - to.x, x[1] - to.y);
+}
+
+/// Greatest speed of a disc centre within an interval, whose v and phi are greatest at an end [m/s].
+double greatest_disc_speed(const Robot& robot, double offset, const TrajectoryPoint& from, const TrajectoryPoint& to)
+{
+  const double kappa = std::max(std::abs(curvature(robot, from.mode, from.phi)), std::abs(curvature(robot, from.mode, to.phi)));
+  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * offset);
+}
+
+double least_clearance(const CollisionChecker& checker, const Robot& robot, const SimpsonDynamics& dynamics,
+                       const TrajectoryPoint& from, const TrajectoryPoint& to)
+{
+  const TwoDiscs& discs = checker.discs();
+  const double radius = discs.radius - robot.safety_margin, duration = to.t - from.t;
+  const double speed = std::max(greatest_disc_speed(robot, discs.offset, from, to), 1e-6);
+  double least = kFar;
+  for (double t = 0.0;;)
+  {
+    const State x = after(dynamics, from, t);
+    const double c = std::cos(x[2]), s = std::sin(x[2]), ox = discs.offset * c, oy = discs.offset * s;
+    const ObstacleMap& map = checker.map();
+    double clearance = 10.0 * kFar;
+    const bool free = map.is_clear(x[0] + ox, x[1] + oy, radius, clearance) &&
+                      map.is_clear(x[0] - ox, x[1] - oy, radius, clearance);
+    if (!free)
+      clearance = std::min(map.distance(x[0] + ox, x[1] + oy), map.distance(x[0] - ox, x[1] - oy)) - radius;
+    least = std::min(least, clearance);
+    if (t >= duration) return least;
+    t = std::min(duration, t + std::max(clearance, kLeastStep) / speed);
+  }
+}
+
+}  // namespace
+
+Certificate certify(const CollisionChecker& checker, const Robot& robot, const Trajectory& points)
+{
+  Certificate certificate;
+  if (points.empty()) return certificate;
+  const SimpsonDynamics dynamics(robot, points.front().mode);
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+  {
+    certificate.clearance.push_back(least_clearance(checker, robot, dynamics, points[k], points[k + 1]));
+    certificate.worst_rollout = std::max(certificate.worst_rollout, rollout_miss(dynamics, points[k], points[k + 1]));
+  }
+  return certificate;
+}
+
+}  // namespace fourwis

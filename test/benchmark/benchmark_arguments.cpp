@@ -1,0 +1,108 @@
+#include "benchmark_arguments.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include <boost/program_options.hpp>
+
+#include "fourwis_navigation/parameters/parameters.h"
+
+namespace po = boost::program_options;
+
+namespace fourwis::benchmark
+{
+namespace
+{
+
+using Files = std::vector<std::string>;
+
+po::options_description options()
+{
+  po::options_description all("Measures the planner's front end. Options");
+  auto add = all.add_options();
+  add("help,h", "this text");
+  add("problems", po::value<Files>()->composing(), "plan each line id;map;start;goal of a file; may be repeated");
+  add("environments", "the same for the project's own environments");
+  add("walled-in", "wall the goals of those problems in and time the refusals instead");
+  add("ablation", "the variants of the paper's Table III on env4");
+  add("barn", po::value<std::string>()->default_value(""), "cross each map_pgm_*.pgm of a folder, with two robots");
+  add("export", po::value<std::string>()->default_value(""),
+      "with --barn: also write its maps and problems to an existing folder");
+  add("map", po::value<Files>()->composing(), "a map_server YAML for --corner-to-corner; may be repeated");
+  add("corner-to-corner", "plan across the maps of --map");
+  add("runs", po::value<int>()->default_value(20), "runs of each problem");
+  add("modes", po::value<std::string>()->default_value("ackermann,lateral,parallel"), "modes to plan in");
+  add("robot", po::value<std::string>()->default_value(""), "robot.yaml instead of the paper's robot");
+  add("planner", po::value<std::string>()->default_value(""), "planner.yaml instead of the defaults");
+  add("markdown", "print tables for a Markdown file");
+  return all;
+}
+
+ModeSet modes_in(const std::string& text)
+{
+  ModeSet modes = ModeSet::none();
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const std::optional<Mode> mode = mode_from_string(word);
+    if (!mode) throw std::runtime_error("--modes: '" + word + "' is none of ackermann, lateral, parallel");
+    modes.insert(*mode);
+  }
+  if (modes.empty()) throw std::runtime_error("--modes: expected at least one mode");
+  return modes;
+}
+
+Setup setup_in(const po::variables_map& given)
+{
+  Setup setup;
+  const std::string robot = given["robot"].as<std::string>(), planner = given["planner"].as<std::string>();
+  if (!robot.empty()) setup.robot = read_robot_file(robot);
+  if (!planner.empty()) setup.options = read_planner_file(planner);
+  setup.modes = modes_in(given["modes"].as<std::string>());
+  setup.runs = given["runs"].as<int>();
+  if (setup.runs < 1) throw std::runtime_error("--runs: expected at least 1");
+  return setup;
+}
+
+void check(const Arguments& arguments)
+{
+  const bool problems = arguments.environments || !arguments.problems.empty();
+  if (arguments.walled_in && !problems) throw std::runtime_error("--walled-in: needs --problems or --environments");
+  if (arguments.corner_to_corner == arguments.maps.empty())
+    throw std::runtime_error("--map and --corner-to-corner need each other");
+  if (!arguments.export_folder.empty() && arguments.barn.empty()) throw std::runtime_error("--export: needs --barn");
+  if (!problems && !arguments.ablation && arguments.barn.empty() && arguments.maps.empty())
+    throw std::runtime_error("nothing to measure; see --help");
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, const char* const* argv)
+{
+  const po::options_description all = options();
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(all).positional({}).run(), given);
+  po::notify(given);
+  Arguments arguments;
+  if (given.count("help"))
+  {
+    std::ostringstream text;
+    text << all;
+    arguments.help = text.str();
+    return arguments;
+  }
+  if (given.count("problems")) arguments.problems = given["problems"].as<Files>();
+  if (given.count("map")) arguments.maps = given["map"].as<Files>();
+  arguments.environments = given.count("environments") > 0;
+  arguments.walled_in = given.count("walled-in") > 0;
+  arguments.ablation = given.count("ablation") > 0;
+  arguments.corner_to_corner = given.count("corner-to-corner") > 0;
+  arguments.markdown = given.count("markdown") > 0;
+  arguments.barn = given["barn"].as<std::string>();
+  arguments.export_folder = given["export"].as<std::string>();
+  arguments.setup = setup_in(given);
+  check(arguments);
+  return arguments;
+}
+
+}  // namespace fourwis::benchmark

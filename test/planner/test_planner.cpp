@@ -1,0 +1,272 @@
+#include "fourwis_navigation/planner/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "../support/grids.h"
+#include "../support/path_laws.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 15;
+
+struct PlannerTest : testing::Test
+{
+  PlannerTest() { options.search.max_expansions = 3000; }
+
+  PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
+                  PlanTrace* trace = nullptr) const
+  {
+    return Planner(robot, options).plan(world, request, interrupt, trace);
+  }
+
+  /// Visits requests among clutter in all sets of modes, with what the planner answers.
+  template <typename Visit>
+  void for_plans(Visit visit) const
+  {
+    Random random(kSeed);
+    for (int k = 0; k < 56; ++k)
+    {
+      const ModeSet modes = all_mode_sets()[static_cast<std::size_t>(k) % 7];
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", request " + std::to_string(k) + ", " + text(modes));
+      const World world(clutter(random, 7.0, k % 2 ? 0.05 : 0.1, 7, random.pose(5.0)), robot, options);
+      const CollisionChecker checker(world.obstacles, robot);
+      PlanRequest request = {free_pose(random, checker), free_pose(random, checker), modes};
+      if (!modes.ackermann && !modes.lateral)
+      {
+        const Pose turned = {request.goal.x, request.goal.y, request.start.theta};
+        if (!checker.is_free(turned)) continue;
+        request.goal = turned;
+      }
+      visit(world, request, plan(world, request));
+      if (HasFatalFailure()) return;
+    }
+  }
+
+  /// A plan across an empty hall with something changed.
+  PlanResult plan_in_hall(const Pose& start, const Pose& goal, const ModeSet& modes = {},
+                          const Interrupt& interrupt = {}) const
+  {
+    return plan(World(free_area(8.0, 6.0, 0.1), robot, options), {start, goal, modes}, interrupt);
+  }
+
+  static void expect_refused(const PlanResult& result, PlanStatus status)
+  {
+    EXPECT_STREQ(to_string(result.status), to_string(status));
+    EXPECT_FALSE(result.message.empty());
+    EXPECT_TRUE(result.trajectory.empty());
+    EXPECT_FALSE(result.metrics.safe);
+  }
+
+  const Robot robot;
+  PlannerOptions options;
+  const Pose here = {2.0, 3.0, 0.3}, there = {6.0, 3.0, -2.0};
+};
+
+TEST_F(PlannerTest, SucceedsWithTrajectoriesThatAnyRefereeAccepts)
+{
+  int succeeded = 0;
+  for_plans([&](const World& world, const PlanRequest& request, const PlanResult& result) {
+    if (result.status != PlanStatus::succeeded)
+    {
+      ASSERT_STRNE(to_string(result.status), to_string(PlanStatus::verification_failed)) << result.message;
+      return;
+    }
+    ++succeeded;
+    const Verdict verdict = Referee(world.grid, options.obstacles, robot).judge(request.start, request.goal,
+                                                                                result.trajectory);
+    ASSERT_TRUE(verdict.accepted()) << verdict.violations.front().what;
+  });
+  EXPECT_GT(succeeded, 35);
+}
+
+TEST_F(PlannerTest, ReportsMetricsThatAgreeWithEachOther)
+{
+  for_plans([&](const World& world, const PlanRequest& request, const PlanResult& result) {
+    if (result.status != PlanStatus::succeeded) return;
+    const PlanMetrics& metrics = result.metrics;
+    EXPECT_TRUE(metrics.safe);
+    EXPECT_GE(metrics.length, distance(request.start, request.goal) - 1e-6);
+    EXPECT_LE(metrics.length, result.path.length() + 1e-6);
+    EXPECT_EQ(metrics.arrival_time, result.trajectory.back().t);
+    EXPECT_GE(metrics.arrival_time, metrics.length / robot.max_speed);
+    EXPECT_LE(metrics.mean_curvature, metrics.max_curvature);
+    EXPECT_LE(metrics.max_curvature, max_curvature(robot, Mode::lateral) + 1e-6);
+    EXPECT_EQ(metrics.standard_mode_rate, 1.0);
+    EXPECT_LT(metrics.terminal_position_error, 1e-3);
+    EXPECT_LT(metrics.terminal_yaw_error, 1e-3);
+    EXPECT_EQ(metrics.switches, result.path.switches());
+    EXPECT_GE(metrics.min_clearance, 0.0);
+    EXPECT_GE(metrics.total_ms, metrics.frontend_ms);
+    EXPECT_GE(metrics.frontend_ms, metrics.map_ms);
+    EXPECT_EQ(metrics.map_ms, world.build_ms);
+  });
+}
+
+TEST_F(PlannerTest, GivesTheSameTrajectoryEveryTime)
+{
+  for_plans([&](const World& world, const PlanRequest& request, const PlanResult& result) {
+    const PlanResult again = plan(World(world.grid, robot, options), request);
+    ASSERT_EQ(again.status, result.status);
+    ASSERT_EQ(again.message, result.message);
+    ASSERT_EQ(again.trajectory.size(), result.trajectory.size());
+    for (std::size_t i = 0; i < again.trajectory.size(); ++i)
+    {
+      ASSERT_EQ(again.trajectory[i].t, result.trajectory[i].t);
+      ASSERT_TRUE(is_bitwise_equal(again.trajectory[i].pose(), result.trajectory[i].pose()));
+    }
+  });
+}
+
+TEST_F(PlannerTest, PlansAcrossAHall)
+{
+  for (const ModeSet& modes : all_mode_sets())
+  {
+    if (!modes.ackermann && !modes.lateral) continue;
+    const PlanResult result = plan_in_hall(here, there, modes);
+    EXPECT_EQ(result.status, PlanStatus::succeeded) << text(modes) << ": " << result.message;
+  }
+}
+
+TEST_F(PlannerTest, CountsFullTurnsOfStartAndGoalForNothing)
+{
+  const Pose turned = {there.x, there.y, there.theta + 4.0 * M_PI};
+  EXPECT_EQ(plan_in_hall(here, turned).status, PlanStatus::succeeded);
+  EXPECT_EQ(plan_in_hall(turned, here).status, PlanStatus::succeeded);
+  const PlanResult parallel = plan_in_hall({2.0, 3.0, 0.3}, {6.0, 3.0, 0.3 - 2.0 * M_PI}, {false, false, true});
+  EXPECT_EQ(parallel.status, PlanStatus::succeeded) << parallel.message;
+}
+
+TEST_F(PlannerTest, RefusesNumbersThatAreNone)
+{
+  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for (const Pose& pose : {Pose{bad, 3.0, 0.0}, Pose{2.0, bad, 0.0}, Pose{2.0, 3.0, bad}})
+    {
+      expect_refused(plan_in_hall(pose, there), PlanStatus::invalid_input);
+      expect_refused(plan_in_hall(here, pose), PlanStatus::invalid_input);
+    }
+}
+
+TEST_F(PlannerTest, RefusesToPlanInNoMode)
+{
+  expect_refused(plan_in_hall(here, there, ModeSet::none()), PlanStatus::invalid_input);
+}
+
+TEST_F(PlannerTest, RefusesStartsAndGoalsOffTheMap)
+{
+  for (const Pose& off : {Pose{-5.0, 3.0, 0.0}, Pose{2.0, 6.5, 0.0}, Pose{1e9, 1e9, 0.0}, Pose{1e300, -1e300, 0.0},
+                          Pose{0.1, 3.0, 0.0}})
+  {
+    expect_refused(plan_in_hall(off, there), PlanStatus::start_in_collision);
+    expect_refused(plan_in_hall(here, off), PlanStatus::goal_in_collision);
+  }
+}
+
+TEST_F(PlannerTest, RefusesStartsAndGoalsInObstacles)
+{
+  OccupancyGrid grid = free_area(8.0, 6.0, 0.1);
+  occupy_block(grid, 58, 28, 3, 3);
+  const World world(grid, robot, options);
+  expect_refused(plan(world, {there, here, {}}), PlanStatus::start_in_collision);
+  expect_refused(plan(world, {here, there, {}}), PlanStatus::goal_in_collision);
+}
+
+TEST_F(PlannerTest, TakesUnknownCellsForObstaclesUnlessToldOtherwise)
+{
+  OccupancyGrid grid = free_area(8.0, 6.0, 0.1);
+  for (int row = 0; row < 60; ++row) cell(grid, 40, row) = -1;
+  expect_refused(plan(World(grid, robot, options), {here, there, {}}), PlanStatus::goal_unreachable);
+  options.obstacles.unknown_is_obstacle = false;
+  EXPECT_EQ(plan(World(grid, robot, options), {here, there, {}}).status, PlanStatus::succeeded);
+}
+
+TEST_F(PlannerTest, RefusesAGoalThatIsWalledIn)
+{
+  OccupancyGrid grid = free_area(8.0, 6.0, 0.05);
+  wall_in(grid, 90, 30, 60, 60);
+  const World world(grid, robot, options);
+  expect_refused(plan(world, {here, there, {}}), PlanStatus::goal_unreachable);
+  expect_refused(plan(world, {there, here, {}}), PlanStatus::goal_unreachable);
+}
+
+TEST_F(PlannerTest, StaysWhereItIsWhenTheGoalIsThere)
+{
+  for (const ModeSet& modes : all_mode_sets())
+  {
+    const PlanResult result = plan_in_hall(here, here, modes);
+    ASSERT_EQ(result.status, PlanStatus::succeeded) << result.message;
+    ASSERT_EQ(result.trajectory.size(), 1u);
+    const TrajectoryPoint& point = result.trajectory.front();
+    EXPECT_TRUE(is_bitwise_equal(point.pose(), here));
+    EXPECT_EQ(point.t, 0.0);
+    EXPECT_EQ(point.v, 0.0);
+    EXPECT_TRUE(modes.contains(point.mode));
+    EXPECT_TRUE(result.metrics.safe);
+    EXPECT_EQ(result.metrics.length, 0.0);
+  }
+}
+
+TEST_F(PlannerTest, ReachesGoalsNextToTheStart)
+{
+  for (double step : {1e-7, 1e-6, 2e-6, 1e-4, 1e-3, 0.01})
+    for (double direction : {0.0, 0.7, M_PI_2, M_PI, -1.0})
+      for (double turn : {0.0, 1e-7, 1e-5, 9e-5, 1.1e-4, 1e-3, -0.01})
+      {
+        const Pose goal = {here.x + step * std::cos(direction), here.y + step * std::sin(direction), here.theta + turn};
+        const PlanResult result = plan_in_hall(here, goal);
+        EXPECT_EQ(result.status, PlanStatus::succeeded) << step << " m and " << turn << " rad away: " << result.message;
+      }
+}
+
+TEST_F(PlannerTest, TimesOutWhenItsPatienceIsOver)
+{
+  options.planner_patience = 1e-9;
+  expect_refused(plan_in_hall(here, there), PlanStatus::timeout);
+}
+
+TEST_F(PlannerTest, TimesOutAtTheCallersDeadline)
+{
+  expect_refused(plan_in_hall(here, there, {}, Interrupt(nullptr, Interrupt::Clock::now())), PlanStatus::timeout);
+}
+
+TEST_F(PlannerTest, StopsWhenCancelled)
+{
+  const std::atomic<bool> cancelled{true};
+  expect_refused(plan_in_hall(here, there, {}, Interrupt(&cancelled)), PlanStatus::cancelled);
+}
+
+TEST_F(PlannerTest, ShowsTheNodesItExpandedOnRequest)
+{
+  PlanTrace trace;
+  const World world(free_area(8.0, 6.0, 0.1), robot, options);
+  const PlanResult result = plan(world, {here, there, {}}, {}, &trace);
+  EXPECT_EQ(result.status, PlanStatus::succeeded);
+  EXPECT_EQ(static_cast<int>(trace.expanded.size()), result.metrics.expansions);
+  EXPECT_GT(result.metrics.expansions, 0);
+}
+
+TEST_F(PlannerTest, KnowsItsRobotAndOptions)
+{
+  options.planner_patience = 1.25;
+  const Planner planner(robot, options);
+  EXPECT_EQ(planner.robot().wheelbase, robot.wheelbase);
+  EXPECT_EQ(planner.options().planner_patience, 1.25);
+}
+
+TEST_F(PlannerTest, DoesNotBuildAWorldFromABadGrid)
+{
+  OccupancyGrid short_of_data = free_area(8.0, 6.0, 0.1), flat = short_of_data, nowhere = short_of_data;
+  short_of_data.data.pop_back();
+  flat.resolution = 0.0;
+  nowhere.origin.theta = std::nan("");
+  for (const OccupancyGrid& grid : {OccupancyGrid(), short_of_data, flat, nowhere})
+    EXPECT_THROW(World(grid, robot, options), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fourwis

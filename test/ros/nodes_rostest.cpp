@@ -1,0 +1,155 @@
+#include <cstdio>
+#include <fstream>
+
+#include <octomap/OcTree.h>
+
+#include "fourwis_navigation/map/map_file.h"
+#include "fourwis_navigation/map/octomap_projection.h"
+#include "fourwis_navigation/parameters/parameters.h"
+#include "node_process.h"
+#include "planner_fixture.h"
+
+namespace fourwis
+{
+namespace
+{
+
+const std::string kConfig = FOURWIS_SOURCE_DIR "/config/";
+
+void set_parameters(const std::string& name, const ParameterMap& parameters)
+{
+  for (const auto& [key, value] : parameters)
+    std::visit([path = name + '/' + key](const auto& plain) { ros::param::set(path, plain); }, value);
+}
+
+/// Starts the planner with the shipped files and these parameters beside them, and expects it to refuse them.
+void expect_refused(const ParameterMap& parameters, const std::vector<std::string>& said)
+{
+  ros::param::del("/refused");
+  set_parameters("/refused", read_parameter_file(kConfig + "global_planner.yaml"));
+  set_parameters("/refused/robot", read_parameter_file(kConfig + "robot.yaml"));
+  set_parameters("/refused/planner", read_parameter_file(kConfig + "planner.yaml"));
+  set_parameters("/refused", parameters);
+  NodeProcess node("global_planner_node", {"__name:=refused"});
+  const std::string output = node.read_to_end();
+  EXPECT_EQ(node.exit_status(), 2) << output;
+  for (const std::string& part : said)
+    EXPECT_NE(output.find(part), std::string::npos) << "'" << output << "' lacks '" << part << "'";
+}
+
+void expect_ends_with(const std::string& executable, const std::vector<std::string>& arguments, const std::string& said)
+{
+  NodeProcess node(executable, arguments);
+  const std::string output = node.read_to_end();
+  EXPECT_EQ(node.exit_status(), 2) << output;
+  EXPECT_NE(output.find(said), std::string::npos) << "'" << output << "' lacks '" << said << "'";
+}
+
+/// A file in the temporary directory, removed in the end.
+class TemporaryFile
+{
+public:
+  explicit TemporaryFile(const std::string& name) : path_(testing::TempDir() + "fourwis_nodes_" + name) {}
+  ~TemporaryFile() { std::remove(path_.c_str()); }
+  const std::string& path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
+void expect_same(const nav_msgs::OccupancyGrid& map, const OccupancyGrid& grid)
+{
+  EXPECT_EQ(map.header.frame_id, "map");
+  const OccupancyGrid published = to_grid(map);
+  EXPECT_EQ(published.width, grid.width);
+  EXPECT_EQ(published.height, grid.height);
+  EXPECT_FLOAT_EQ(static_cast<float>(published.resolution), static_cast<float>(grid.resolution));
+  EXPECT_EQ(published.origin.x, grid.origin.x);
+  EXPECT_EQ(published.origin.y, grid.origin.y);
+  EXPECT_NEAR(published.origin.theta, grid.origin.theta, 1e-12);
+  EXPECT_EQ(published.data, grid.data);
+}
+
+TEST(GlobalPlannerNode, a_bad_parameter_stops_it_naming_key_value_and_range)
+{
+  expect_refused({{"robot/length", -1.0}}, {"'length'", "-1", "0.05 to 20"});
+  expect_refused({{"planner/heuristic_weight", std::string("much")}}, {"'heuristic_weight'", "'much'", "0 to 100"});
+  expect_refused({{"start_from", std::string("nowhere")}}, {"'start_from'", "'nowhere'", "'tf' or 'initialpose'"});
+}
+
+TEST(GlobalPlannerNode, an_unknown_parameter_stops_it_by_name)
+{
+  expect_refused({{"robot/wheels", 6.0}}, {"unknown", "'wheels'", "6"});
+  expect_refused({{"goal_tolerance", 0.1}}, {"unknown", "'goal_tolerance'", "0.1"});
+}
+
+TEST(GlobalPlannerNode, a_missing_parameter_stops_it_by_name)
+{
+  ros::param::del("/bare");
+  set_parameters("/bare", read_parameter_file(kConfig + "global_planner.yaml"));
+  expect_ends_with("global_planner_node", {"__name:=bare"}, "wheelbase");
+  expect_ends_with("global_planner_node", {"__name:=naked"}, "missing parameter 'global_frame'");
+}
+
+TEST(MapPublisherNode, publishes_latched_what_the_file_says)
+{
+  OccupancyGrid grid;
+  grid.width = 7;
+  grid.height = 5;
+  grid.resolution = 0.05;
+  grid.origin = {-1.5, 2.25, 0.3};
+  for (int i = 0; i < 35; ++i) grid.data.push_back(static_cast<std::int8_t>(i % 3 == 0 ? 100 : i % 3 == 1 ? 0 : -1));
+  const TemporaryFile yaml("map.yaml"), image("map.pgm");
+  write_map_file(grid, yaml.path().substr(0, yaml.path().size() - 5));
+
+  NodeProcess node("map_publisher_node", {yaml.path()});
+  Inbox<nav_msgs::OccupancyGrid> early("map");
+  const auto map = early.wait_for_any();
+  ASSERT_TRUE(map);
+  expect_same(*map, read_map_file(yaml.path()));
+  Inbox<nav_msgs::OccupancyGrid> late("map");
+  EXPECT_TRUE(late.wait_for_any()) << "not latched";
+}
+
+TEST(MapPublisherNode, a_bad_file_stops_it_in_one_line_that_names_it)
+{
+  expect_ends_with("map_publisher_node", {"/nowhere/map.yaml"}, "/nowhere/map.yaml");
+  expect_ends_with("map_publisher_node", {}, "missing parameter 'map_file'");
+  const TemporaryFile yaml("broken.yaml");
+  std::ofstream(yaml.path()) << "image: broken.pgm\nresolution: fine\n";
+  expect_ends_with("map_publisher_node", {yaml.path()}, "resolution");
+}
+
+TEST(OctomapProjectorNode, publishes_latched_the_height_band_of_the_file)
+{
+  const TemporaryFile file("tree.bt");
+  octomap::OcTree tree(0.1);
+  tree.updateNode(octomap::point3d(0.05f, 0.05f, 0.55f), true);
+  tree.updateNode(octomap::point3d(0.55f, 0.05f, 0.55f), false);
+  tree.updateNode(octomap::point3d(0.25f, 0.25f, 1.95f), true);
+  ASSERT_TRUE(tree.writeBinary(file.path()));
+
+  for (const HeightBand band : {HeightBand{0.1, 1.0}, HeightBand{1.5, 2.5}})
+  {
+    NodeProcess node("octomap_projector_node",
+                     {"_octomap_file:=" + file.path(), "_min_height:=" + std::to_string(band.min),
+                      "_max_height:=" + std::to_string(band.max), "map:=/projected", "__name:=projector"});
+    Inbox<nav_msgs::OccupancyGrid> inbox("projected");
+    const auto map = inbox.wait_for_any();
+    ASSERT_TRUE(map);
+    expect_same(*map, project_octomap_file(file.path(), band));
+  }
+}
+
+TEST(OctomapProjectorNode, a_bad_file_stops_it_in_one_line_that_names_it)
+{
+  expect_ends_with("octomap_projector_node", {"_octomap_file:=/nowhere/tree.bt"}, "/nowhere/tree.bt");
+}
+
+}  // namespace
+}  // namespace fourwis
+
+int main(int argc, char** argv)
+{
+  return fourwis::run_rostest(argc, argv, "test_nodes");
+}

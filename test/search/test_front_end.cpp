@@ -1,0 +1,246 @@
+#include "fourwis_navigation/search/front_end.h"
+
+#include <gtest/gtest.h>
+
+#include "../support/grids.h"
+#include "../support/path_laws.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 12;
+
+struct FrontEnd : testing::Test
+{
+  FrontEnd() { options.max_expansions = 2500; }
+
+  SearchResult find(const Site& site, const PlanRequest& request, const Interrupt& interrupt = {},
+                    std::vector<Pose>* expanded = nullptr) const
+  {
+    return find_path(site.checker, site.robot, options, request, interrupt, expanded);
+  }
+
+  /// Visits requests among clutter, for all seven sets of modes.
+  template <typename Visit>
+  void for_requests(int count, Visit visit) const
+  {
+    Random random(kSeed);
+    for (int k = 0; k < count; ++k)
+    {
+      const ModeSet modes = all_mode_sets()[static_cast<std::size_t>(k) % 7];
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", request " + std::to_string(k) + ", " + text(modes));
+      const Site site(clutter(random, 7.0, k % 2 ? 0.05 : 0.1, 8, random.pose(5.0)));
+      PlanRequest request = {free_pose(random, site.checker), free_pose(random, site.checker), modes};
+      if (!modes.ackermann && !modes.lateral)
+      {
+        do request.goal = free_pose(random, site.checker);
+        while (!site.checker.is_free(Pose{request.goal.x, request.goal.y, request.start.theta}));
+        request.goal.theta = request.start.theta;
+      }
+      visit(site, request);
+      if (HasFatalFailure()) return;
+    }
+  }
+
+  void expect_valid(const Site& site, const PlanRequest& request, const Path& path) const
+  {
+    EXPECT_EQ(broken_law(path, site.checker, site.robot, request.modes, request.start, request.goal), "") << text(path);
+  }
+
+  SearchOptions options;
+};
+
+TEST_F(FrontEnd, FindsPathsThatKeepTheirPromisesInEverySetOfModes)
+{
+  int found = 0;
+  for_requests(70, [&](const Site& site, const PlanRequest& request) {
+    const SearchResult result = find(site, request);
+    if (result.status != PlanStatus::succeeded) return;
+    ++found;
+    expect_valid(site, request, result.path);
+  });
+  EXPECT_GT(found, 40);
+}
+
+TEST_F(FrontEnd, ReportsWhatThePathCosts)
+{
+  for_requests(70, [&](const Site& site, const PlanRequest& request) {
+    const SearchResult result = find(site, request);
+    if (result.status != PlanStatus::succeeded) return;
+    const double cost = cost_of(result.path.pieces, request.modes.first(), MotionCost(site.robot, options));
+    ASSERT_NEAR(result.path.cost, cost, 1e-6) << text(result.path);
+  });
+}
+
+TEST_F(FrontEnd, FindsAPathInTheOpenAtOnceUnlessParallelMotionHasToTurn)
+{
+  const Site site(free_area(14.0, 14.0, 0.1));
+  Random random(kSeed);
+  for (const ModeSet& modes : all_mode_sets())
+    for (int k = 0; k < 5; ++k)
+    {
+      const Pose offset = {random.between(-2.0, 2.0), random.between(-2.0, 2.0), 0.0};
+      PlanRequest request = {{7.0, 7.0, random.angle()}, {}, modes};
+      request.goal = compose(request.start, offset);
+      if (modes.ackermann || modes.lateral) request.goal.theta = random.angle();
+      const SearchResult result = find(site, request);
+      ASSERT_EQ(result.status, PlanStatus::succeeded) << text(modes) << " to " << text(request.goal);
+      EXPECT_LE(result.expansions, 2) << text(modes) << " to " << text(request.goal);
+      expect_valid(site, request, result.path);
+    }
+}
+
+TEST_F(FrontEnd, GivesTheSameAnswerBitForBit)
+{
+  for_requests(28, [&](const Site& site, const PlanRequest& request) {
+    std::vector<Pose> first_expanded, second_expanded;
+    const SearchResult first = find(site, request, {}, &first_expanded);
+    const Site again(site.grid);
+    const SearchResult second = find(again, request, {}, &second_expanded);
+    ASSERT_EQ(first.status, second.status);
+    ASSERT_EQ(first.expansions, second.expansions);
+    ASSERT_TRUE(is_bitwise_equal(first.path, second.path));
+    ASSERT_EQ(first_expanded.size(), second_expanded.size());
+    for (std::size_t i = 0; i < first_expanded.size(); ++i)
+      ASSERT_TRUE(is_bitwise_equal(first_expanded[i], second_expanded[i]));
+  });
+}
+
+TEST_F(FrontEnd, ShowsEveryPoseItExpands)
+{
+  options.max_expansions = 500;
+  int most = 0;
+  for_requests(28, [&](const Site& site, const PlanRequest& request) {
+    std::vector<Pose> expanded = {{1.0, 2.0, 3.0}};
+    const SearchResult result = find(site, request, {}, &expanded);
+    ASSERT_EQ(static_cast<int>(expanded.size()), 1 + result.expansions) << "appended, one for each expansion";
+    EXPECT_EQ(expanded[0].x, 1.0);
+    for (std::size_t i = 1; i < expanded.size(); ++i) ASSERT_TRUE(site.checker.is_free(expanded[i]));
+    most = std::max(most, result.expansions);
+  });
+  EXPECT_GT(most, 10);
+}
+
+/// A goal behind a door that the proofs take for wide enough and that is not.
+struct LongSearch : FrontEnd
+{
+  static OccupancyGrid hall()
+  {
+    OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
+    occupy_block(grid, 90, 0, 1, 120);
+    for (int row = 52; row < 68; ++row) cell(grid, 90, row) = 0;  // 0.80 m; the two discs need 0.84 m
+    return grid;
+  }
+
+  const Site site{hall()};
+  const PlanRequest request = {{2.0, 3.0, 0.0}, {7.0, 3.0, 0.0}, {}};
+};
+
+TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
+{
+  for (int most : {0, 1, 7, 100, 3000})
+  {
+    options.max_expansions = most;
+    std::vector<Pose> expanded;
+    const SearchResult result = find(site, request, {}, &expanded);
+    EXPECT_EQ(result.status, PlanStatus::no_path);
+    EXPECT_EQ(result.expansions, most);
+    EXPECT_EQ(expanded.size(), static_cast<std::size_t>(most));
+    EXPECT_TRUE(result.path.pieces.empty());
+  }
+}
+
+TEST_F(LongSearch, StopsAtOnceWhenCancelled)
+{
+  const std::atomic<bool> cancelled{true};
+  std::vector<Pose> expanded;
+  const SearchResult result = find(site, request, Interrupt(&cancelled), &expanded);
+  EXPECT_EQ(result.status, PlanStatus::cancelled);
+  EXPECT_TRUE(expanded.empty());
+  EXPECT_TRUE(result.path.pieces.empty());
+}
+
+TEST_F(LongSearch, StopsAtOnceWhenTheDeadlineHasPassed)
+{
+  const SearchResult result = find(site, request, Interrupt(nullptr, Interrupt::Clock::now()));
+  EXPECT_EQ(result.status, PlanStatus::timeout);
+  EXPECT_EQ(result.expansions, 0);
+}
+
+TEST_F(LongSearch, IsInterruptedInTheMiddleOfTheSearch)
+{
+  std::atomic<bool> cancelled{false};
+  int asked = 0;
+  const auto distance = [&](const Pose& pose) {
+    cancelled = ++asked > 200;
+    return fourwis::distance(pose, request.goal);
+  };
+  const SearchResult result =
+      hybrid_astar(site.checker, site.robot, options, request, distance, Interrupt(&cancelled));
+  EXPECT_EQ(result.status, PlanStatus::cancelled);
+  EXPECT_GT(result.expansions, 0);
+}
+
+TEST_F(FrontEnd, ProvesThatAWalledInGoalIsOutOfReach)
+{
+  OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
+  wall_in(grid, 100, 40, 60, 40);
+  const Site site(grid);
+  for (const ModeSet& modes : all_mode_sets())
+  {
+    const PlanRequest in = {{2.0, 3.0, 0.0}, {6.5, 3.0, 0.0}, modes}, out = {in.goal, in.start, modes};
+    for (const PlanRequest& request : {in, out})
+    {
+      const SearchResult result = find(site, request);
+      EXPECT_EQ(result.status, PlanStatus::goal_unreachable) << text(modes);
+      EXPECT_EQ(result.expansions, 0);
+    }
+  }
+}
+
+TEST_F(FrontEnd, RefusesToTurnTheRobotByParallelMotionAlone)
+{
+  const Site site(free_area(9.0, 9.0, 0.1));
+  const SearchResult result = find(site, {{3.0, 3.0, 0.0}, {6.0, 6.0, 1.0}, {false, false, true}});
+  EXPECT_TRUE(result.status == PlanStatus::goal_unreachable || result.status == PlanStatus::no_path);
+}
+
+TEST_F(FrontEnd, SlidesSidewaysIntoASlotThatACarCanHardlyEnter)
+{
+  OccupancyGrid grid = free_area(8.0, 6.0, 0.05);
+  occupy_block(grid, 0, 80, 66, 40);
+  occupy_block(grid, 94, 80, 66, 40);  // 1.4 m between them, for 1 m of robot
+  const Site site(grid);
+  const PlanRequest request = {{1.5, 2.0, 0.0}, {4.0, 5.0, 0.0}, {}};
+  const SearchResult found = find(site, request);
+  ASSERT_EQ(found.status, PlanStatus::succeeded);
+  expect_valid(site, request, found.path);
+  const SearchResult car = find(site, {request.start, request.goal, {true, false, false}});
+  EXPECT_TRUE(car.status != PlanStatus::succeeded || car.path.cost > 2.0 * found.path.cost) << text(car.path);
+}
+
+/// The paper's Table III: with and without terminal connection and switching awareness.
+TEST_F(FrontEnd, FindsValidPathsInAllVariantsOfTheAblation)
+{
+  for (bool connect : {false, true})
+    for (bool aware : {false, true})
+    {
+      options.terminal_connection = connect;
+      options.switching_awareness = aware;
+      int found = 0;
+      for_requests(14, [&](const Site& site, const PlanRequest& request) {
+        const SearchResult result = find(site, request);
+        if (result.status != PlanStatus::succeeded) return;
+        ++found;
+        ASSERT_EQ(broken_law(result.path, site.checker, site.robot, request.modes), "");
+        EXPECT_LE(distance(result.path.goal, request.goal), connect ? 1e-6 : options.xy_goal_tolerance);
+        EXPECT_LE(heading_gap(result.path.goal.theta, request.goal.theta), connect ? 1e-6 : options.yaw_goal_tolerance);
+      });
+      EXPECT_GT(found, connect ? 7 : 1) << "connection " << connect << ", awareness " << aware;
+    }
+}
+
+}  // namespace
+}  // namespace fourwis

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+
+namespace fourwis
+{
+
+/// Random numbers that are the same in every run.
+class Random
+{
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  /// A whole number in low..high.
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  bool chance(double probability) { return between(0.0, 1.0) < probability; }
+  double angle() { return between(-M_PI, M_PI); }
+  Mode mode() { return kPlannedModes[static_cast<std::size_t>(whole(0, 2))]; }
+  /// An equivalent steering angle the mode allows.
+  double steering(const Robot& robot, Mode mode)
+  {
+    const double limit = mode == Mode::parallel ? M_PI_2 : robot.max_steering_angle;
+    return between(-limit, limit);
+  }
+  Pose pose(double size) { return {between(-size, size), between(-size, size), angle()}; }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+/// A pose for messages, with all its digits.
+inline std::string text(const Pose& pose)
+{
+  char buffer[96];
+  std::snprintf(buffer, sizeof buffer, "(%.17g, %.17g, %.17g)", pose.x, pose.y, pose.theta);
+  return buffer;
+}
+
+/// The difference of two headings, whatever full turns lie between them [rad].
+inline double heading_gap(double a, double b)
+{
+  return std::abs(wrap_angle(a - b));
+}
+
+/// The seven sets of modes that are not empty.
+inline std::vector<ModeSet> all_mode_sets()
+{
+  std::vector<ModeSet> sets;
+  for (int bits = 1; bits < 8; ++bits) sets.push_back({(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0});
+  return sets;
+}
+
+inline std::string text(const ModeSet& modes)
+{
+  std::string names;
+  for (Mode mode : kPlannedModes)
+    if (modes.contains(mode)) names += std::string(names.empty() ? "" : "+") + to_string(mode);
+  return names.empty() ? "no mode" : names;
+}
+
+}  // namespace fourwis
