@@ -50,9 +50,10 @@ std::vector<Pose> places(const std::vector<Pose>& knots, double offset)
   return centres;
 }
 
-/// One box for each place. An explanation of why not, or nothing.
+/// One box for each place; raises `deficit` where the place is too close. A sentence if there is no box, else nothing.
 std::string append_boxes(const ObstacleRectangles& obstacles, const std::vector<Pose>& places, const char* disc,
-                         double radius, const BoxOptions& options, std::vector<Box>& boxes, std::vector<double>& deficit)
+                         double radius, const BoxOptions& options, std::vector<Box>& boxes,
+                         std::vector<double>& deficit)
 {
   for (std::size_t i = 0; i < places.size(); ++i)
   {

@@ -1,6 +1,7 @@
 #include "placed_box.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "closest_points.h"
 

@@ -30,7 +30,7 @@ bool promises_decrease(const SearchPoint& start, double alpha)
 void Filter::reset(double violation)
 {
   clear();
-  greatest_violation_ = 1e4 * std::max(1.0, violation);
+  greatest_violation_ = 4.0 * std::max(1.0, violation);
   small_violation_ = 1e-4 * std::max(1.0, violation);
 }
 

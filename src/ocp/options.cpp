@@ -25,7 +25,6 @@ void check(const Options& options)
   check("acceptable_tolerance", options.acceptable_tolerance, 0.0, 1e3);
   check("max_iterations", options.max_iterations, -1, 1e6);
   check("initial_barrier", options.initial_barrier, 0.0, 1e3);
-  check("least_barrier", options.least_barrier, 0.0, 1e3);
   check("barrier_factor", options.barrier_factor, 0.0, 1.0);
   check("barrier_power", options.barrier_power, 1.0, 2.0);
   check("terminal_regularization", options.terminal_regularization, 0.0, 1.0);

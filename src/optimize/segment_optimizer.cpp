@@ -1,11 +1,8 @@
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "fourwis_navigation/ocp/solver.h"
 #include "fourwis_navigation/optimize/motion_limits.h"
-#include "fourwis_navigation/optimize/simpson.h"
+#include "segment_problem.h"
 
 namespace fourwis
 {
@@ -15,185 +12,7 @@ namespace
 /// Barrier parameter of a solve that starts from a solution of nearly the same problem.
 constexpr double kWarmBarrier = 1e-2;
 
-/// A disc centre has to stay in a half-plane: a (x + o cos theta) + b (y + o sin theta) <= c.
-struct DiscRow
-{
-  HalfPlane plane;
-  double offset;  ///< o, +-l/4 [m]
-};
-
-/// The functions of the problem, x = (x, y, theta, v, phi), u = (a, omega, h).
-struct SegmentModel : ocp::ModelBase<5, 3, 3>
-{
-  SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode) {}
-
-  void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
-  {
-    const double sweep = x[3] * u[1], late = u[2] - h_ref;
-    value.cost = u[2] + alpha * sweep * sweep * u[2] + interval_weight * late * late;
-    value.defect = dynamics.next(x, u) - next;
-  }
-
-  void differentiate(int, const State& x, const Control& u, const State& lambda, Derivatives& d) const
-  {
-    dynamics.differentiate(x, u, lambda, d.jacobian, d.hessian);
-    const double v = x[3], omega = u[1], h = u[2];
-    enum
-    {
-      V = 3,
-      OMEGA = 6,
-      H = 7
-    };
-    // h + alpha v^2 omega^2 h + w_h (h - h_ref)^2
-    d.gradient[V] = 2.0 * alpha * v * omega * omega * h;
-    d.gradient[OMEGA] = 2.0 * alpha * v * v * omega * h;
-    d.gradient[H] = 1.0 + alpha * v * v * omega * omega + 2.0 * interval_weight * (h - h_ref);
-    d.hessian(V, V) += 2.0 * alpha * omega * omega * h;
-    d.hessian(OMEGA, OMEGA) += 2.0 * alpha * v * v * h;
-    d.hessian(H, H) += 2.0 * interval_weight;
-    add_symmetric(d, V, OMEGA, 4.0 * alpha * v * omega * h);
-    add_symmetric(d, V, H, 2.0 * alpha * v * omega * omega);
-    add_symmetric(d, OMEGA, H, 2.0 * alpha * v * v * omega);
-  }
-
-  void rows(int k, const RowPoint& q, ocp::RowValues values) const
-  {
-    const double c = std::cos(q[2]), s = std::sin(q[2]);
-    const DiscRow* row = &disc_rows[first_row[static_cast<std::size_t>(k)]];
-    for (Eigen::Index i = 0; i < values.size(); ++i, ++row)
-      values[i] = row->plane.a * (q[0] + row->offset * c) + row->plane.b * (q[1] + row->offset * s);
-  }
-
-  void differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
-                          RowHessian& hessian) const
-  {
-    const double c = std::cos(q[2]), s = std::sin(q[2]);
-    const DiscRow* row = &disc_rows[first_row[static_cast<std::size_t>(k)]];
-    for (Eigen::Index i = 0; i < y.size(); ++i, ++row)
-    {
-      const double a = row->plane.a, b = row->plane.b, o = row->offset;
-      gradients.col(i) << a, b, o * (b * c - a * s);
-      hessian(2, 2) -= y[i] * o * (a * c + b * s);
-    }
-  }
-
-  static void add_symmetric(Derivatives& d, int i, int j, double value)
-  {
-    d.hessian(i, j) += value;
-    d.hessian(j, i) += value;
-  }
-
-  SimpsonDynamics dynamics;
-  double alpha = 0.0, interval_weight = 0.0, h_ref = 0.0;
-  std::vector<DiscRow> disc_rows;       ///< stage by stage
-  std::vector<std::size_t> first_row;   ///< of each stage in disc_rows
-};
-
 using Solver = ocp::Solver<SegmentModel>;
-using Bounds = ocp::Bounds<5, 3>;
-
-bool is_cusp(const Segment& segment, std::size_t knot)
-{
-  return knot > 0 && knot < segment.intervals() &&
-         std::signbit(segment.length[knot - 1]) != std::signbit(segment.length[knot]);
-}
-
-bool is_at_rest(const Segment& segment, std::size_t knot)
-{
-  return knot == 0 || knot == segment.intervals() || is_cusp(segment, knot);
-}
-
-void add_rows(const Polytope& region, double offset, int knot, double weight, SegmentModel& model,
-              Solver::Problem& problem)
-{
-  for (const HalfPlane& plane : region)
-  {
-    model.disc_rows.push_back({plane, offset});
-    problem.add_row(knot, {plane.c, weight});
-  }
-}
-
-/// Rows of the inner knots: each is bound by the regions of both its intervals.
-void set_rows(const Segment& segment, const Corridor& corridor, double offset, double weight, SegmentModel& model,
-              Solver::Problem& problem)
-{
-  const std::size_t n = segment.intervals();
-  model.disc_rows.clear();
-  model.first_row.assign(n + 1, 0);
-  for (std::size_t k = 1; k < n; ++k)
-  {
-    model.first_row[k] = model.disc_rows.size();
-    for (std::size_t interval : {k - 1, k})
-    {
-      add_rows(corridor.front[interval], offset, static_cast<int>(k), weight, model, problem);
-      add_rows(corridor.rear[interval], -offset, static_cast<int>(k), weight, model, problem);
-    }
-  }
-}
-
-void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double h_ref,
-                Solver::Problem& problem)
-{
-  for (std::size_t k = 0; k <= segment.intervals(); ++k)
-  {
-    const bool beside_rest = is_at_rest(segment, k) || (k < segment.intervals() && is_at_rest(segment, k + 1));
-    Bounds& bounds = problem.bounds[k];
-    bounds.upper.tail<5>() << limits.speed, limits.angle, limits.acceleration, limits.steering_rate,
-        (beside_rest ? options.longest_at_rest : options.longest_interval) * h_ref;
-    bounds.lower.tail<5>() = -bounds.upper.tail<5>();
-    bounds.lower[7] = options.shortest_interval * h_ref;
-  }
-}
-
-/// The reference driven at the reference speed, paper eq. (21).
-Solver::Trajectory reference_guess(const Segment& segment, const MotionLimits& limits, double h_ref)
-{
-  const std::size_t n = segment.intervals();
-  Solver::Trajectory guess;
-  for (std::size_t k = 0; k <= n; ++k)
-  {
-    const Pose& pose = segment.knots[k];
-    const double v = is_at_rest(segment, k) ? 0.0 : std::copysign(limits.speed, segment.length[k]);
-    const double phi = k == 0 ? segment.phi[0] : k == n ? segment.phi[n - 1] : (segment.phi[k - 1] + segment.phi[k]) / 2;
-    guess.states.emplace_back();
-    guess.states.back() << pose.x, pose.y, pose.theta, v, phi;
-  }
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    const auto change = ((guess.states[k + 1] - guess.states[k]) / h_ref).eval();
-    guess.controls.emplace_back(std::clamp(change[3], -limits.acceleration, limits.acceleration),
-                                std::clamp(change[4], -limits.steering_rate, limits.steering_rate), h_ref);
-  }
-  return guess;
-}
-
-Solver::Trajectory guess_from(const Trajectory& points)
-{
-  Solver::Trajectory guess;
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    const TrajectoryPoint& p = points[k];
-    guess.states.emplace_back();
-    guess.states.back() << p.x, p.y, p.theta, p.v, p.phi;
-    if (k + 1 < points.size()) guess.controls.emplace_back(p.a, p.omega, points[k + 1].t - p.t);
-  }
-  return guess;
-}
-
-Trajectory points_of(const Solver::Trajectory& trajectory, Mode mode)
-{
-  Trajectory points;
-  double t = 0.0;
-  for (std::size_t k = 0; k < trajectory.states.size(); ++k)
-  {
-    const auto& x = trajectory.states[k];
-    const bool last = k == trajectory.controls.size();
-    points.push_back({t, mode, x[0], x[1], x[2], x[3], x[4], last ? 0.0 : trajectory.controls[k][0],
-                      last ? 0.0 : trajectory.controls[k][1]});
-    if (!last) t += trajectory.controls[k][2];
-  }
-  return points;
-}
 
 }  // namespace
 
@@ -205,31 +24,16 @@ SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& op
 SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
                                         double tolerance, const Interrupt& interrupt) const
 {
-  const std::size_t n = segment.intervals();
   const MotionLimits limits = motion_limits(robot_, segment.mode, reference_speed_);
-  double length = 0.0;
-  for (double piece : segment.length) length += std::abs(piece);
-
-  SegmentModel model(robot_, segment.mode);
-  model.alpha = options_.steering_comfort;
-  model.interval_weight = options_.interval_weight;
-  model.h_ref = length / limits.speed / static_cast<double>(n);
-
-  Solver::Problem problem;
-  problem.reset(static_cast<int>(n));
-  const Pose &start = segment.knots.front(), &goal = segment.knots.back();
-  problem.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
-  problem.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
-  problem.terminal_fixed = {true, true, true, true, false};
-  set_bounds(segment, limits, options_, model.h_ref, problem);
-  set_rows(segment, corridor, robot_.length / 4.0, options_.corridor_weight, model, problem);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits);
 
   ocp::Options solver_options;
   solver_options.tolerance = tolerance;
   if (previous) solver_options.initial_barrier = kWarmBarrier;
   Solver solver;
   const Solver::Solution& solution =
-      solver.solve(model, problem, previous ? guess_from(*previous) : reference_guess(segment, limits, model.h_ref),
+      solver.solve(problem.model, problem.numbers,
+                   previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref),
                    solver_options, nullptr, [&] { return interrupt.cancelled() || interrupt.timed_out(); });
 
   SegmentSolution result;

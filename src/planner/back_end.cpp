@@ -1,16 +1,14 @@
 #include "fourwis_navigation/planner/back_end.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
-#include <thread>
 
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 #include "fourwis_navigation/planner/certificate.h"
 #include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/wheels.h"
+#include "in_parallel.h"
 
 namespace fourwis
 {
@@ -115,21 +113,6 @@ std::vector<Path> parts_between_switches(const Path& path)
     parts.back().pieces.push_back(piece);
   }
   return parts;
-}
-
-/// Calls work(0) to work(count - 1), on as many threads as there are processors.
-template <typename Work>
-void in_parallel(std::size_t count, const Work& work)
-{
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  const std::size_t threads = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, run));
-  run();
-  for (std::future<void>& other : others) other.get();
 }
 
 /// Appends a part that begins at t = 0 after the time the wheels need to turn at rest.

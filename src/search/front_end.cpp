@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "fourwis_navigation/search/goal_distance.h"
-#include "fourwis_navigation/search/holonomic_distance.h"
 #include "fourwis_navigation/search/mode_curves.h"
 #include "fourwis_navigation/search/motion_cost.h"
 #include "fourwis_navigation/search/reachability.h"
@@ -60,18 +58,6 @@ bool may_turn(const PlanRequest& request)
          std::abs(wrap_angle(request.goal.theta - request.start.theta)) <= ModeCurves::kSameHeading;
 }
 
-/// For places where the quick search finds no way: finer, and guided by the headings at which the robot fits.
-SearchResult search_thoroughly(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                               const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
-{
-  const HolonomicDistance distance(checker, request.start, request.goal, flood_cell(checker.map()), kFieldSlack,
-                                   interrupt);
-  if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
-  if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!distance.reaches_start()) return failed(PlanStatus::goal_unreachable);
-  return hybrid_astar(checker, robot, finer(options), request, std::cref(distance), interrupt, expanded);
-}
-
 Path shortened(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                const PlanRequest& request, Path path, const Interrupt& interrupt)
 {
@@ -88,32 +74,60 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
 
 }  // namespace
 
-SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                       const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
+                   const Interrupt& interrupt)
+  : checker_(checker), robot_(robot), start_(start), goal_(goal),
+    distance_(checker, start, goal, kFieldSlack, interrupt),
+    may_be_reachable_(distance_.reaches_start() &&
+                      may_be_reachable(checker, distance_, start, goal, flood_cell(checker.map()), interrupt))
 {
-  if (!may_turn(request)) return failed(PlanStatus::goal_unreachable);
-  const GoalDistance distance(checker, request.start, request.goal, kFieldSlack, interrupt);
+}
+
+SearchResult FrontEnd::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
+                            const Interrupt& interrupt, std::vector<Pose>* expanded) const
+{
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!distance.reaches_start() ||
-      !may_be_reachable(checker, distance, request.start, request.goal, flood_cell(checker.map()), interrupt))
-    return failed(PlanStatus::goal_unreachable);
+  const PlanRequest request{start_, goal_, modes};
+  if (!may_be_reachable_ || !may_turn(request)) return failed(PlanStatus::goal_unreachable);
 
   SearchOptions quick = options;
   quick.max_expansions = std::min(options.max_expansions, kQuickExpansions);
-  const auto around = [&](const Pose& pose) { return distance(pose.x, pose.y); };
-  SearchResult found = hybrid_astar(checker, robot, quick, request, around, interrupt, expanded);
-  if (found.status == PlanStatus::no_path)
+  const auto around = [&](const Pose& pose) { return distance_(pose.x, pose.y); };
+  SearchResult found = hybrid_astar(checker_, robot_, quick, request, around, interrupt, expanded);
+  if (found.status == PlanStatus::no_path && effort == Effort::thorough)
   {
     SearchOptions rest = options;
     rest.max_expansions -= found.expansions;
     const int expansions = found.expansions;
-    found = search_thoroughly(checker, robot, rest, request, interrupt, expanded);
+    found = find_thoroughly(rest, request, interrupt, expanded);
     found.expansions += expansions;
   }
   if (found.status == PlanStatus::succeeded && options.terminal_connection)
-    found.path = shortened(checker, robot, options, request, std::move(found.path), interrupt);
+    found.path = shortened(checker_, robot_, options, request, std::move(found.path), interrupt);
   return found;
+}
+
+SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanRequest& request,
+                                       const Interrupt& interrupt, std::vector<Pose>* expanded) const
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!holonomic_distance_)
+      holonomic_distance_ = std::make_unique<HolonomicDistance>(checker_, start_, goal_, flood_cell(checker_.map()),
+                                                                kFieldSlack, interrupt);
+  }
+  if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
+  if (interrupt.timed_out()) return failed(PlanStatus::timeout);
+  if (!holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
+  return hybrid_astar(checker_, robot_, finer(options), request, std::cref(*holonomic_distance_), interrupt, expanded);
+}
+
+SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
+                       const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+{
+  return FrontEnd(checker, robot, request.start, request.goal, interrupt)
+      .find(options, request.modes, Effort::thorough, interrupt, expanded);
 }
 
 }  // namespace fourwis

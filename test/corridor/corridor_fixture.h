@@ -77,8 +77,8 @@ inline Pose disc_centre(const Pose& pose, const TwoDiscs& discs, bool is_front)
   return compose(pose, {is_front ? discs.offset : -discs.offset, 0.0, 0.0});
 }
 
-/// Knots of a drive through free space about `spacing` apart, with cusps and changes of mode, at least two. The map must
-/// leave room.
+/// Knots of a drive through free space about `spacing` apart, with cusps and changes of mode, at least two. The map
+/// must leave room.
 inline std::vector<Pose> random_knots(Random& random, const CollisionChecker& checker, const Robot& robot,
                                       double spacing = 0.2)
 {

@@ -40,8 +40,8 @@ struct Case
 
 /// Visits the regions of both discs, interval by interval.
 template <typename Visit>
-void for_each_region(const PolytopeCorridor& corridor, const std::vector<Pose>& knots, const std::vector<double>& shrink,
-                     Visit visit)
+void for_each_region(const PolytopeCorridor& corridor, const std::vector<Pose>& knots,
+                     const std::vector<double>& shrink, Visit visit)
 {
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded) << corridor.message;
   ASSERT_EQ(corridor.regions.front.size(), knots.size() - 1);

@@ -20,7 +20,8 @@ double length(const Point2& a, const Point2& b)
 
 struct RandomPairs : testing::Test
 {
-  /// Chords and rectangles on a coarse lattice, where they often touch, cross, are parallel or have no length, and off it.
+  /// Chords and rectangles on a coarse lattice, where they often touch, cross, are parallel or have no length, and off
+  /// it.
   template <typename Visit>
   void for_pairs(Visit visit)
   {
@@ -44,7 +45,8 @@ TEST_F(RandomPairs, NoPointsOfChordAndRectangleAreNearer)
     double sampled = INFINITY;
     for (int i = 0; i <= 1000; ++i)
     {
-      const Point2 p{chord.a.x + (chord.b.x - chord.a.x) * i / 1000.0, chord.a.y + (chord.b.y - chord.a.y) * i / 1000.0};
+      const double t = i / 1000.0;
+      const Point2 p{chord.a.x + (chord.b.x - chord.a.x) * t, chord.a.y + (chord.b.y - chord.a.y) * t};
       sampled = std::min(sampled, length(p, nearest(box, p)));
     }
     const double distance = std::sqrt(closest.squared_distance);

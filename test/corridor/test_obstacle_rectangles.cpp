@@ -131,8 +131,12 @@ TEST_F(RandomGrids, PointsAndHalfPlanesChangeFramesTogether)
     const Point2 point = obstacles.to_grid(in_map.x, in_map.y);
     EXPECT_NEAR(point.x, in_grid.x, 1e-9);
     EXPECT_NEAR(point.y, in_grid.y, 1e-9);
+    const Point2 back = obstacles.to_map(point);
+    EXPECT_NEAR(back.x, in_map.x, 1e-9);
+    EXPECT_NEAR(back.y, in_map.y, 1e-9);
     const double angle = random.angle();
-    const HalfPlane plane{std::cos(angle), std::sin(angle), random.between(-5.0, 5.0)}, turned = obstacles.to_map(plane);
+    const HalfPlane plane{std::cos(angle), std::sin(angle), random.between(-5.0, 5.0)};
+    const HalfPlane turned = obstacles.to_map(plane);
     EXPECT_NEAR(turned.a * in_map.x + turned.b * in_map.y - turned.c, plane.a * point.x + plane.b * point.y - plane.c,
                 1e-9);
   });

@@ -35,19 +35,23 @@ protected:
     PlannerFixture::SetUp();
     set_map(good_map());
     set_start(kStart);
+    const ros::Time before = ros::Time::now();
     send_goal(kGoal);
-    ASSERT_TRUE(wait_for_status("succeeded", kGoal));
-    ASSERT_TRUE(trajectories_.wait_for_any());
-    published_ = trajectories_.messages().size();
+    ASSERT_TRUE(statuses_.wait_for([&](const PlannerStatus& status)
+                                   { return status.status == "succeeded" && status.header.stamp >= before; }));
+    const auto published = latched_trajectory();
+    ASSERT_TRUE(published);
+    published_ = published->header.stamp;
+    ASSERT_GE(published_, before);
     statuses_.clear();
   }
 
   void TearDown() override
   {
-    EXPECT_EQ(trajectories_.messages().size(), published_) << "the last good plan was replaced";
-    Inbox<ModeTrajectory> late("trajectory");
-    const auto trajectory = late.wait_for_any();
+    const auto trajectory = latched_trajectory();
     ASSERT_TRUE(trajectory);
+    EXPECT_EQ(trajectory->header.stamp, published_) << "the last good plan was replaced";
+    ASSERT_FALSE(trajectory->points.empty());
     EXPECT_NEAR(trajectory->points.back().x, kGoal.x, 1e-3);
     EXPECT_EQ(plan(stamped(kStart), stamped(kGoal)).status, "succeeded");
   }
@@ -102,7 +106,7 @@ protected:
   }
 
   static double stamp_;
-  std::size_t published_ = 0;
+  ros::Time published_;
 };
 
 double BadInput::stamp_ = 0.0;

@@ -146,6 +146,12 @@ protected:
       });
   }
 
+  /// The trajectory that is published now, as somebody sees it who comes late.
+  static Inbox<ModeTrajectory>::Pointer latched_trajectory()
+  {
+    return Inbox<ModeTrajectory>("trajectory").wait_for_any();
+  }
+
   ros::NodeHandle node_;
   ros::Publisher goal_, map_, update_, initial_pose_;
   Inbox<PlannerStatus> statuses_{"move_base/planner_status"};

@@ -108,7 +108,8 @@ TEST_F(Planning, staying_where_it_is_is_a_plan)
 
 TEST_F(Planning, make_plan_answers_without_publishing_a_plan)
 {
-  const std::size_t published = trajectories_.messages().size();
+  send_goal(Pose{3, 4, 0});
+  ASSERT_TRUE(wait_for_status("succeeded", {3, 4, 0}));
   nav_msgs::GetPlan call;
   call.request.start = stamped({2, 8, 0});
   call.request.goal = stamped({8, 8, 0});
@@ -117,7 +118,9 @@ TEST_F(Planning, make_plan_answers_without_publishing_a_plan)
   EXPECT_EQ(call.response.plan.header.frame_id, "map");
   EXPECT_NEAR(call.response.plan.poses.front().pose.position.y, 8.0, 1e-3);
   EXPECT_NEAR(call.response.plan.poses.back().pose.position.x, 8.0, 1e-3);
-  EXPECT_EQ(trajectories_.messages().size(), published);
+  const auto published = latched_trajectory();
+  ASSERT_TRUE(published);
+  EXPECT_NEAR(published->points.back().x, 3.0, 1e-3);
 }
 
 TEST_F(Planning, make_plan_starts_at_the_robot_when_the_start_has_no_frame)

@@ -1,6 +1,5 @@
 #include <rosgraph_msgs/Clock.h>
-#include <tf2_ros/static_transform_broadcaster.h>
-#include <tf2_ros/transform_broadcaster.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include "planner_fixture.h"
 
@@ -25,6 +24,7 @@ protected:
   void SetUp() override
   {
     PlannerFixture::SetUp();
+    ASSERT_TRUE(wait_until([this] { return tf_.getNumSubscribers() > 0 && static_tf_.getNumSubscribers() > 0; }));
     // Each test has a later hour of its own, in which older transforms are stale.
     hour_ += 3600.0;
     set_time(0.0);
@@ -40,7 +40,7 @@ protected:
     ASSERT_TRUE(wait_until([&] { return plan(stamped({}), stamped({})).trajectory.header.stamp == clock.clock; }));
   }
 
-  geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const Pose& pose,
+  tf2_msgs::TFMessage transform(const std::string& parent, const std::string& child, const Pose& pose,
                                             double seconds)
   {
     geometry_msgs::TransformStamped transform;
@@ -50,7 +50,9 @@ protected:
     transform.transform.translation.x = pose.x;
     transform.transform.translation.y = pose.y;
     transform.transform.rotation = to_message(pose).orientation;
-    return transform;
+    tf2_msgs::TFMessage message;
+    message.transforms.push_back(transform);
+    return message;
   }
 
   /// Where the planner says that the robot is, or why it does not know.
@@ -70,8 +72,8 @@ protected:
   }
 
   static double hour_;
-  tf2_ros::TransformBroadcaster broadcaster_;
-  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  ros::Publisher tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 100);
+  ros::Publisher static_tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 100);
 };
 
 double StartPose::hour_ = 0.0;
@@ -87,15 +89,15 @@ TEST_F(StartPose, without_a_transform_goals_are_refused_by_name)
 
 TEST_F(StartPose, a_plan_starts_where_tf_has_the_robot_now)
 {
-  broadcaster_.sendTransform(transform("map", "base_link", {2, 3, 0.5}, 0.0));
+  tf_.publish(transform("map", "base_link", {2, 3, 0.5}, 0.0));
   ASSERT_TRUE(wait_until([this] { return starts_at({2, 3, 0.5}); }));
-  broadcaster_.sendTransform(transform("map", "base_link", {4, 5, 0.5}, 0.1));
+  tf_.publish(transform("map", "base_link", {4, 5, 0.5}, 0.1));
   ASSERT_TRUE(wait_until([this] { return starts_at({4, 5, 0.5}); }));
 }
 
 TEST_F(StartPose, a_transform_older_than_the_tolerance_is_refused_with_its_age)
 {
-  broadcaster_.sendTransform(transform("map", "base_link", {2, 3, 0}, 0.0));
+  tf_.publish(transform("map", "base_link", {2, 3, 0}, 0.0));
   ASSERT_TRUE(wait_until([this] { return starts_at({2, 3, 0}); }));
   set_time(0.4);
   EXPECT_TRUE(starts_at({2, 3, 0}));
@@ -105,8 +107,8 @@ TEST_F(StartPose, a_transform_older_than_the_tolerance_is_refused_with_its_age)
 
 TEST_F(StartPose, a_goal_in_another_frame_is_transformed)
 {
-  broadcaster_.sendTransform(transform("map", "base_link", {2, 3, 0}, 0.0));
-  static_broadcaster_.sendTransform(transform("map", "kitchen", {5, 1, M_PI_2}, 0.0));
+  tf_.publish(transform("map", "base_link", {2, 3, 0}, 0.0));
+  static_tf_.publish(transform("map", "kitchen", {5, 1, M_PI_2}, 0.0));
   ASSERT_TRUE(wait_until([this] { return starts_at({2, 3, 0}); }));
   // 4 m along the kitchen's x axis, which is the map's y axis.
   ASSERT_TRUE(wait_until([this] { return plan(stamped({}, ""), stamped({4, 0, 0}, "kitchen")).success; }));

@@ -174,8 +174,8 @@ Path random_parallel_path(Random& random)
   Path path = path_from({});
   for (int i = 0; i < 8; ++i)
   {
-    const double length = random.between(2.0 * kSpacing, 1.0);
-    append(path, kRobot, Mode::parallel, random.steering(kRobot, Mode::parallel), random.chance(0.5) ? length : -length);
+    const double length = (random.chance(0.5) ? 1.0 : -1.0) * random.between(2.0 * kSpacing, 1.0);
+    append(path, kRobot, Mode::parallel, random.steering(kRobot, Mode::parallel), length);
   }
   return path;
 }
@@ -223,6 +223,17 @@ TEST(Segment, HeldSteeringRollsOutFromKnotToKnotExactly)
       const Pose end = advance(kRobot, segment.knots[i], mode, segment.phi[i], segment.length[i]);
       EXPECT_LT(gap(end, segment.knots[i + 1]), 1e-12);
     }
+  }
+}
+
+TEST(Segment, ALengthThatIsAMultipleOfTheSpacingIsCutIntoThatMany)
+{
+  for (int count = 4; count < 300; ++count)
+  {
+    // Summed up piece by piece, so that it is a rounding more or less.
+    Path path = path_from({});
+    for (int i = 0; i < count; ++i) append(path, kRobot, Mode::ackermann, 0.1, kSpacing);
+    EXPECT_EQ(split_at_switches(path, kRobot, kSpacing).at(0).intervals(), static_cast<std::size_t>(count));
   }
 }
 

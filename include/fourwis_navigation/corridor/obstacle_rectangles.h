@@ -19,8 +19,8 @@ struct Point2
 
 /// The obstacles of a map as few rectangles, so that what lies near a place is found quickly.
 ///
-/// Coordinates are metres in the grid's frame: x along its rows, y along its columns, from the grid's origin. Rectangles
-/// are closed and, together, are exactly the obstacles.
+/// Coordinates are metres in the grid's frame: x along its rows, y along its columns, from the grid's origin.
+/// Rectangles are closed and, together, are exactly the obstacles.
 class ObstacleRectangles
 {
 public:

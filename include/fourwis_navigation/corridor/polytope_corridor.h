@@ -31,12 +31,12 @@ using PolytopeCorridor = CorridorResult<Corridor>;
 ///    obstacle only;
 ///  - is an intersection of half-planes, each of them as far out as its obstacle or the range allows.
 ///
-/// Obstacle by obstacle, nearest first: with p on the chord and q on the obstacle the nearest points and
-/// n = (q - p)/|q - p|, the half-plane n x <= n q - min(r_c + shrink, |q - p|) holds the chord, since no point of it lies
-/// beyond p along n, and keeps its distance, since the obstacle, convex, lies beyond q. Whatever else lies that far
-/// beyond the half-plane needs none of its own. If the half-planes are used up before the obstacles are, the nearest of
-/// those left over d + r_c + shrink away, the range is cut to d/sqrt(2): the corners of a rectangle that reaches so far
-/// beyond the chord are d away from it.
+/// Obstacle by obstacle, nearest first: let p on the chord and q on the obstacle be the nearest points, n the unit
+/// vector from p to q. The half-plane n x <= n q - min(r_c + shrink, |q - p|) holds the chord, since no point of it
+/// lies beyond p along n, and keeps its distance, since the obstacle, convex, lies beyond q. Whatever else lies that
+/// far beyond the half-plane needs none of its own. If the half-planes are used up before the obstacles are, and the
+/// nearest of those left is d + r_c + shrink away, the range is cut to d/sqrt(2): the corners of a rectangle that
+/// reaches so far beyond the chord are d away from it.
 ///
 /// `shrink` (one per interval, or none) makes regions smaller [m] where a trajectory came too close between knots; not
 /// negative. Coinciding knots are fine. Throws std::invalid_argument naming the option unless `range` is positive and

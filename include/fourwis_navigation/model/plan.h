@@ -49,6 +49,7 @@ struct PlanRequest
   Pose start;
   Pose goal;
   ModeSet modes;
+  bool frontend_only = false;  ///< no optimisation: the front end's path, driven with stops wherever the steering changes
 };
 
 /// The paper's section V-A.2, and where the time went. Metrics of the trajectory are zero where there is none.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "fourwis_navigation/ocp/constraints.h"
 #include "fourwis_navigation/ocp/iterate.h"
 #include "fourwis_navigation/ocp/model.h"
@@ -38,6 +40,13 @@ struct Derivatives
     rows.resize(row_count);
   }
 };
+
+template <class Model>
+bool is_finite(const Derivatives<Model>& derivatives)
+{
+  return std::all_of(derivatives.stages.begin(), derivatives.stages.end(), [](const auto& stage)
+                     { return stage.jacobian.allFinite() && stage.gradient.allFinite() && stage.hessian.allFinite(); });
+}
 
 namespace detail
 {

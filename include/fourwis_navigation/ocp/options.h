@@ -12,8 +12,7 @@ struct Options
   double acceptable_tolerance = 1e-4;  ///< at which it is `acceptable` where no further progress is possible
   int max_iterations = 300;
   double initial_barrier = 0.1;          ///< mu at the start; 1e-2 or less for a good guess
-  double least_barrier = 1e-7;           ///< mu is not reduced below
-  double barrier_factor = 0.2;           ///< mu <- min(barrier_factor mu, mu^barrier_power)
+  double barrier_factor = 0.2;           ///< mu <- min(barrier_factor mu, mu^barrier_power), not below tolerance / 10
   double barrier_power = 1.5;
   double terminal_regularization = 1e-9;  ///< delta of x_N - goal = delta (nu_new - nu) in each Newton step
 };

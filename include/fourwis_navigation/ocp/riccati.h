@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <cmath>
 
 #include "fourwis_navigation/ocp/types.h"
 
@@ -20,10 +20,10 @@ struct QuadraticStage
 };
 
 /// Solves that problem by dynamic programming. With the value functions V_k(dx) = 1/2 dx' P_k dx + p_k' dx,
-///   [S_xx S_xu; S_ux S_uu] = H_k + J_k' P_{k+1} J_k,   S_uu = L L',
-///   K_k = -S_uu^-1 S_ux,                               P_k = S_xx + S_xu K_k,
+///   [S_xx S_xu; S_ux S_uu] = H_k + J_k' P_{k+1} J_k,   S_uu = L L',   Y = L^-1 S_ux,
+///   K_k = -L^-T Y,                                     P_k = S_xx - Y' Y,
 ///   [s_x; s_u] = h_k + J_k' (p_{k+1} + P_{k+1} c_k),
-///   d_k = -S_uu^-1 s_u,                                p_k = s_x + K_k' s_u,
+///   d_k = -L^-T L^-1 s_u,                              p_k = s_x + K_k' s_u,
 ///   du_k = K_k dx_k + d_k,                             lambda_k = P_k dx_k + p_k.
 /// The first two lines depend on the matrices only: they are factorised once, and solved for several h and c.
 template <int NX, int NU>
@@ -35,30 +35,32 @@ public:
   void resize(std::size_t stage_count) { stages_.resize(stage_count); }
 
   /// Whether the problem with `regularization` added to the diagonal of each H_k has one minimum: all S_uu are positive
-  /// definite. Without it `solve` must not be called.
+  /// definite. If not, `solve` must not be called.
   bool factorize(const Stages& problem, double regularization);
 
-  /// Writes dz_k and lambda_k to `step.z` and `step.lambda`; the last du is 0.
+  /// Writes dz_k and lambda_k to `step[k].z` and `step[k].lambda`; the last du is 0.
   template <class StepStages>
   void solve(const Stages& problem, StepStages& step);
 
 private:
-  using StateMatrix = Matrix<NX, NX>;
+  static constexpr int NZ = NX + NU;
   struct Stage
   {
-    StateMatrix P;
+    Matrix<NX, NX> P;
     Vector<NX> p;
     Matrix<NU, NX> K;
     Vector<NU> d;
-    Matrix<NU, NU> L;
+    Matrix<NU, NU> inverse_L;
   };
 
-  static bool eliminate_controls(const Matrix<NX + NU, NX + NU>& S, Stage& stage);
-  static void solve_controls(const Matrix<NU, NU>& L, Vector<NU>& s);
+  static bool eliminate_controls(const Matrix<NZ, NZ>& S, Stage& stage);
   void sweep_back(const Stages& problem);
 
   std::vector<Stage> stages_;
 };
+
+// Products of such small matrices are evaluated coefficient by coefficient (lazyProduct): Eigen's choice for large ones,
+// to which 8 x 5 already belongs, spends its time on packing.
 
 template <int NX, int NU>
 bool Riccati<NX, NU>::factorize(const Stages& problem, double regularization)
@@ -68,44 +70,55 @@ bool Riccati<NX, NU>::factorize(const Stages& problem, double regularization)
   stages_[last].P.diagonal().array() += regularization;
   for (std::size_t k = last; k-- > 0;)
   {
-    const auto& Jt = problem[k].jacobian_transposed;
-    Matrix<NX + NU, NX> JtP;
-    JtP.noalias() = Jt * stages_[k + 1].P;
-    Matrix<NX + NU, NX + NU> S = problem[k].hessian;
-    S.noalias() += JtP * Jt.transpose();
+    const Matrix<NZ, NX>& Jt = problem[k].jacobian_transposed;
+    const Matrix<NZ, NX> JtP = Jt.lazyProduct(stages_[k + 1].P);
+    Matrix<NZ, NZ> S = problem[k].hessian + JtP.lazyProduct(Jt.transpose());
     S.diagonal().array() += regularization;
     if (!eliminate_controls(S, stages_[k])) return false;
   }
   return true;
 }
 
-/// L, K and P of a stage; false if S_uu is not safely positive definite.
-template <int NX, int NU>
-bool Riccati<NX, NU>::eliminate_controls(const Matrix<NX + NU, NX + NU>& S, Stage& stage)
+namespace detail
+{
+
+/// L^-1 of a symmetric matrix A = L L', by rows of L; false if A is not safely positive definite.
+template <int N>
+bool inverse_cholesky(const Matrix<N, N>& A, Matrix<N, N>& inverse_L)
 {
   constexpr double least_pivot = 1e-11;
-  const Eigen::LLT<Matrix<NU, NU>> cholesky(S.template bottomRightCorner<NU, NU>());
-  stage.L = cholesky.matrixLLT();
-  if (cholesky.info() != Eigen::Success || !(stage.L.diagonal().array().square() > least_pivot).all()) return false;
-  Matrix<NU, NX> S_ux = S.template bottomLeftCorner<NU, NX>();
-  for (int j = 0; j < NX; ++j)
+  Matrix<N, N> L;
+  inverse_L.setZero();
+  for (int i = 0; i < N; ++i)
   {
-    Vector<NU> column = -S_ux.col(j);
-    solve_controls(stage.L, column);
-    stage.K.col(j) = column;
+    double pivot = A(i, i);
+    for (int j = 0; j < i; ++j)
+    {
+      L(i, j) = A(i, j);
+      for (int m = 0; m < j; ++m) L(i, j) -= L(i, m) * L(j, m);
+      L(i, j) *= inverse_L(j, j);
+      pivot -= L(i, j) * L(i, j);
+    }
+    if (!(pivot > least_pivot)) return false;
+    inverse_L(i, i) = 1.0 / std::sqrt(pivot);
+    for (int j = 0; j < i; ++j)
+      for (int m = j; m < i; ++m) inverse_L(i, j) -= inverse_L(i, i) * L(i, m) * inverse_L(m, j);
   }
-  stage.P = S.template topLeftCorner<NX, NX>();
-  stage.P.noalias() += S.template topRightCorner<NX, NU>() * stage.K;
-  stage.P = 0.5 * (stage.P + stage.P.transpose()).eval();
   return true;
 }
 
-/// s <- S_uu^-1 s
+}  // namespace detail
+
+/// L^-1, K and P of a stage.
 template <int NX, int NU>
-void Riccati<NX, NU>::solve_controls(const Matrix<NU, NU>& L, Vector<NU>& s)
+bool Riccati<NX, NU>::eliminate_controls(const Matrix<NZ, NZ>& S, Stage& stage)
 {
-  L.template triangularView<Eigen::Lower>().solveInPlace(s);
-  L.template triangularView<Eigen::Lower>().transpose().solveInPlace(s);
+  if (!detail::inverse_cholesky<NU>(S.template bottomRightCorner<NU, NU>(), stage.inverse_L)) return false;
+  const Matrix<NU, NX> Y = stage.inverse_L.lazyProduct(S.template bottomLeftCorner<NU, NX>());
+  stage.K = -stage.inverse_L.transpose().lazyProduct(Y);
+  stage.P = S.template topLeftCorner<NX, NX>() - Y.transpose().lazyProduct(Y);
+  stage.P.template triangularView<Eigen::StrictlyUpper>() = stage.P.transpose();  // rounding must not add up
+  return true;
 }
 
 template <int NX, int NU>
@@ -116,14 +129,12 @@ void Riccati<NX, NU>::sweep_back(const Stages& problem)
   for (std::size_t k = last; k-- > 0;)
   {
     Stage& stage = stages_[k];
-    Vector<NX> r = stages_[k + 1].p;
-    r.noalias() += stages_[k + 1].P * problem[k].defect;
-    Vector<NX + NU> s = problem[k].gradient;
-    s.noalias() += problem[k].jacobian_transposed * r;
-    stage.d = -s.template tail<NU>();
-    solve_controls(stage.L, stage.d);
-    stage.p = s.template head<NX>();
-    stage.p.noalias() += stage.K.transpose() * s.template tail<NU>();
+    const Vector<NX> r = stages_[k + 1].p + stages_[k + 1].P.lazyProduct(problem[k].defect);
+    const Vector<NZ> s = problem[k].gradient + problem[k].jacobian_transposed.lazyProduct(r);
+    const Vector<NU> s_u = s.template tail<NU>();
+    const Vector<NU> y = stage.inverse_L.lazyProduct(s_u);
+    stage.d = -stage.inverse_L.transpose().lazyProduct(y);
+    stage.p = s.template head<NX>() + stage.K.transpose().lazyProduct(s_u);
   }
 }
 
@@ -137,16 +148,11 @@ void Riccati<NX, NU>::solve(const Stages& problem, StepStages& step)
   for (std::size_t k = 0; k <= last; ++k)
   {
     const Stage& stage = stages_[k];
-    step[k].lambda = stage.p;
-    step[k].lambda.noalias() += stage.P * dx;
-    step[k].z.template head<NX>() = dx;
-    step[k].z.template tail<NU>().setZero();
-    if (k == last) break;
-    Vector<NU> du = stage.d;
-    du.noalias() += stage.K * dx;
-    step[k].z.template tail<NU>() = du;
-    dx = problem[k].defect;
-    dx.noalias() += problem[k].jacobian_transposed.transpose() * step[k].z;
+    Vector<NU> du = Vector<NU>::Zero();
+    if (k < last) du = stage.d + stage.K.lazyProduct(dx);
+    step[k].z << dx, du;
+    step[k].lambda = stage.p + stage.P.lazyProduct(dx);
+    if (k < last) dx = problem[k].defect + problem[k].jacobian_transposed.transpose().lazyProduct(step[k].z);
   }
 }
 

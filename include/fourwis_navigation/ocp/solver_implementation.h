@@ -85,17 +85,19 @@ Status Solver<Model>::run(const Interrupted& interrupted)
 template <class Model>
 void Solver<Model>::reduce_barrier(const Optimality& optimality)
 {
-  while (mu_ > options_.least_barrier && optimality.error(mu_) < 10.0 * mu_)
+  const double least = options_.tolerance / 10.0;
+  while (mu_ > least && optimality.error(mu_) < 10.0 * mu_)
   {
-    mu_ = std::max(options_.least_barrier, std::min(options_.barrier_factor * mu_, std::pow(mu_, options_.barrier_power)));
+    mu_ = std::max(least, std::min(options_.barrier_factor * mu_, std::pow(mu_, options_.barrier_power)));
     filter_.clear();
   }
 }
 
-/// Nothing more can be done: good enough?
+/// Nothing more can be done: good enough? A second derivative that is not finite shows nowhere else.
 template <class Model>
 Status Solver<Model>::failure(Status status) const
 {
+  if (!is_finite(derivatives_)) return Status::not_finite;
   return solution_.statistics.error <= options_.acceptable_tolerance ? Status::acceptable : status;
 }
 

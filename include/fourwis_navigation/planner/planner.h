@@ -3,11 +3,15 @@
 #include <chrono>
 #include <vector>
 
+#include "fourwis_navigation/corridor/obstacle_rectangles.h"
+#include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/map/obstacle_map.h"
+#include "fourwis_navigation/model/corridor.h"
 #include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/occupancy_grid.h"
 #include "fourwis_navigation/model/plan.h"
 #include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/planner/verify.h"
 #include "fourwis_navigation/search/search_options.h"
 
@@ -18,6 +22,7 @@ struct PlannerOptions
 {
   ObstacleRule obstacles;
   SearchOptions search;
+  OptimizeOptions optimize;
   VerifyOptions verify;
   double planner_patience = 5.0;  ///< wall-clock deadline of one plan [s]; then PlanStatus::timeout
 };
@@ -25,16 +30,19 @@ struct PlannerOptions
 /// What the stages leave behind for somebody who wants to look at them; filled only when asked for.
 struct PlanTrace
 {
-  std::vector<Pose> expanded;  ///< nodes of the search in the order of expansion
+  std::vector<Pose> expanded;         ///< nodes of the first search in the order of expansion
+  std::vector<Corridor> corridors;    ///< of the segments of the trajectory, the last round's
 };
 
-/// A grid with everything that can be computed from it once. Immutable; share it between plans and threads.
+/// A grid and a robot with everything that can be computed from them once. Immutable; share it between plans and threads.
 struct World
 {
   World(const OccupancyGrid& grid, const Robot& robot, const PlannerOptions& options);  ///< throws std::invalid_argument
 
+  Robot robot;
   OccupancyGrid grid;
   ObstacleMap obstacles;
+  ObstacleRectangles rectangles;
   Referee referee;
   double build_ms;  ///< how long building all this took, wall clock
 
@@ -43,7 +51,7 @@ private:
         std::chrono::steady_clock::time_point begin);
 };
 
-/// grid -> search -> path -> trajectory -> verify. Deterministic: same input, same output; only an Interrupt depends on
+/// grid -> search -> paths -> segments -> corridors <-> optimisation -> trajectory -> verify. Deterministic: same input, same output; only an Interrupt depends on
 /// the clock. One planner may be used from several threads.
 class Planner
 {
@@ -58,6 +66,9 @@ public:
   const PlannerOptions& options() const { return options_; }
 
 private:
+  PlanResult find_and_refine(const World& world, const CollisionChecker& checker, const PlanRequest& request,
+                             const Interrupt& interrupt, PlanTrace* trace) const;
+
   Robot robot_;
   PlannerOptions options_;
 };

@@ -1,14 +1,50 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
+#include "fourwis_navigation/search/goal_distance.h"
+#include "fourwis_navigation/search/holonomic_distance.h"
 #include "fourwis_navigation/search/hybrid_astar.h"
 
 namespace fourwis
 {
 
-/// The front end, the paper's section III-A: goal distance, proof of unreachability, 4D Hybrid A*, shortcuts. Start and goal
-/// must be free. Poses expanded are appended to `expanded` where it is not null.
+/// How hard a search tries.
+enum class Effort
+{
+  quick,    ///< a coarse search of a few thousand expansions
+  thorough  ///< where that fails, a finer one guided by the headings at which the robot fits
+};
+
+/// The front end, the paper's section III-A, for one start and goal: distance to the goal and proof of unreachability
+/// once, then any number of searches with different modes and costs, also at the same time from several threads.
+class FrontEnd
+{
+public:
+  /// Keeps references to checker and robot. Start and goal must be free.
+  FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
+           const Interrupt& interrupt);
+
+  /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null.
+  SearchResult find(const SearchOptions& options, const ModeSet& modes, Effort effort, const Interrupt& interrupt,
+                    std::vector<Pose>* expanded = nullptr) const;
+
+private:
+  SearchResult find_thoroughly(const SearchOptions& options, const PlanRequest& request, const Interrupt& interrupt,
+                               std::vector<Pose>* expanded) const;
+
+  const CollisionChecker& checker_;
+  const Robot& robot_;
+  const Pose start_, goal_;
+  const GoalDistance distance_;
+  const bool may_be_reachable_;
+  mutable std::mutex mutex_;  ///< guards holonomic_distance_, which is made when first needed
+  mutable std::unique_ptr<const HolonomicDistance> holonomic_distance_;
+};
+
+/// One thorough search.
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                        const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded = nullptr);
 

@@ -14,7 +14,8 @@ namespace fourwis
 /// Every run (stretch of one driving direction) is cut into intervals of equal length, none longer than `spacing` [m]
 /// and at least four: from rest to rest the speed rises and falls (slopes + + - -) while the steering goes out, over
 /// and back (+ - - +), and an interval has one slope of each. Knots lie on the path's exact arcs; the angle of an
-/// interval over which the wheels turn is the mean by length. Headings are continuous from the first segment to the last.
+/// interval over which the wheels turn is the mean by length. Headings are continuous from the first segment to the
+/// last.
 ///
 /// In parallel mode (phi, s) and (phi +- pi, -s) are the same motion: within a segment each piece takes the angle
 /// nearest to that of the piece before it, as far as the wheels' travel allows, so phi may leave [-pi/2, pi/2] and a

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fourwis_navigation/model/corridor.h"
+#include "fourwis_navigation/model/mode.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/segment.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/ocp/model.h"
+#include "fourwis_navigation/ocp/problem.h"
+#include "fourwis_navigation/optimize/motion_limits.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
+#include "fourwis_navigation/optimize/simpson.h"
+
+namespace fourwis
+{
+
+/// A disc centre has to stay in a half-plane: a (x + o cos theta) + b (y + o sin theta) <= c.
+struct DiscRow
+{
+  HalfPlane plane;
+  double offset;  ///< o, +-l/4 [m]
+};
+
+/// The functions of a segment's problem, x = (x, y, theta, v, phi), u = (a, omega, h).
+struct SegmentModel : ocp::ModelBase<5, 3, 3>
+{
+  SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode) {}
+
+  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
+  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
+  void rows(int k, const RowPoint& q, ocp::RowValues values) const;
+  void differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
+                          RowHessian& hessian) const;
+
+  SimpsonDynamics dynamics;
+  double alpha = 0.0, interval_weight = 0.0, h_ref = 0.0;
+  std::vector<DiscRow> disc_rows;      ///< stage by stage
+  std::vector<std::size_t> first_row;  ///< of each stage in disc_rows
+};
+
+/// One segment's problem as both solvers see it.
+struct SegmentProblem
+{
+  SegmentModel model;
+  ocp::Problem<5, 3> numbers;
+};
+
+SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
+                               const OptimizeOptions& options, const MotionLimits& limits);
+
+/// The reference driven at the reference speed, paper eq. (21); `h_ref` seconds for each interval.
+ocp::Trajectory<5, 3> reference_guess(const Segment& segment, const MotionLimits& limits, double h_ref);
+
+/// The solver's variables from the points of an earlier solution, and back.
+ocp::Trajectory<5, 3> guess_from(const Trajectory& points);
+Trajectory points_of(const ocp::Trajectory<5, 3>& trajectory, Mode mode);
+
+}  // namespace fourwis
