@@ -72,7 +72,7 @@ done
 command -v apt-get >/dev/null || { echo "$0: needs apt (Debian 12, or Ubuntu 20.04 with ROS Noetic)" >&2; exit 1; }
 
 if [[ -e /opt/ros/noetic/setup.bash ]]; then
-  install_missing build-essential cmake pkg-config
+  install_missing build-essential cmake
   install_with_rosdep noetic
 else
   mapfile -t required < <(packages "$@")

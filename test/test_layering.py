@@ -12,7 +12,7 @@ MAY_INCLUDE = {
     'vehicle': {'model'},
     'map': {'model', 'vehicle'},
     'search': {'model', 'vehicle', 'map'},
-    'segment': {'model'},
+    'segment': {'model', 'vehicle'},
     'corridor': {'model', 'vehicle', 'map'},
     'ocp': set(),
     'optimize': {'model', 'vehicle', 'ocp'},

@@ -10,37 +10,44 @@ namespace fourwis
 namespace
 {
 
-/// Kept from the limits of the wheels, for rounding and for differences that stand in for derivatives.
-constexpr double kWheelReserve = 1e-3;
-constexpr int kSamples = 256;
+/// Kept from the limits of the wheels, for rounding.
+constexpr double kReserve = 1.0 - 1e-3;
 
-/// Greatest |d delta_i / d phi| of any wheel over the range of phi.
-double greatest_wheel_gain(const Robot& robot, Mode mode, double angle)
+/// Greatest |d delta_i / d phi| of any wheel at phi and at -phi, by central differences.
+double wheel_gain(const Robot& robot, Mode mode, double phi)
 {
-  const double step = 2.0 * angle / kSamples;
+  constexpr double kStep = 1e-5;
   double gain = 0.0;
-  WheelAngles last = wheel_angles(robot, mode, -angle);
-  for (int k = 1; k <= kSamples; ++k)
+  for (double angle : {phi, -phi})
   {
-    const WheelAngles next = wheel_angles(robot, mode, -angle + k * step);
-    for (std::size_t i = 0; i < next.size(); ++i)
-      gain = std::max(gain, std::abs(std::remainder(next[i] - last[i], M_PI)) / step);
-    last = next;
+    const WheelAngles below = wheel_angles(robot, mode, angle - kStep), above = wheel_angles(robot, mode, angle + kStep);
+    for (std::size_t i = 0; i < below.size(); ++i)
+      gain = std::max(gain, std::abs(std::remainder(above[i] - below[i], M_PI)) / (2.0 * kStep));
   }
   return gain;
 }
 
 }  // namespace
 
-MotionLimits motion_limits(const Robot& robot, Mode mode, double reference_speed)
+MotionLimits::MotionLimits(const Robot& robot, Mode mode, double reference_speed)
+  : speed(std::min({robot.max_speed, reference_speed})),
+    angle(mode == Mode::parallel ? robot.wheel_max_angle : robot.max_steering_angle),
+    acceleration(robot.max_acceleration)
 {
-  const double angle = mode == Mode::parallel ? robot.wheel_max_angle : robot.max_steering_angle;
-  const double speed_ratio = wheel_speed_ratio(robot, mode, angle);
-  // Differences over a small step fall short of the derivative at the end of the range by less than this.
-  const double gain = (1.0 + 4.0 / kSamples) * greatest_wheel_gain(robot, mode, angle);
-  const double reserve = 1.0 - kWheelReserve;
-  return {std::min({robot.max_speed, reference_speed, reserve * robot.wheel_max_speed / speed_ratio}), angle,
-          robot.max_acceleration, std::min(robot.max_steering_rate, reserve * robot.wheel_max_rate / gain)};
+  speed = std::min(speed, kReserve * robot.wheel_max_speed / wheel_speed_ratio(robot, mode, angle));
+  double gain = 0.0;
+  for (int k = 0; k <= kSteps; ++k)
+  {
+    gain = std::max(gain, wheel_gain(robot, mode, angle * k / kSteps));
+    rate_within_[static_cast<std::size_t>(k)] = std::min(robot.max_steering_rate, kReserve * robot.wheel_max_rate / gain);
+  }
+  steering_rate = rate_within_[kSteps];
+}
+
+double MotionLimits::steering_rate_within(double within) const
+{
+  const double step = std::ceil(std::abs(within) / angle * kSteps);
+  return rate_within_[static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(kSteps)))];
 }
 
 }  // namespace fourwis

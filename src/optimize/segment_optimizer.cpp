@@ -9,6 +9,8 @@ namespace fourwis
 namespace
 {
 
+/// What converges at all takes 10 to 50 iterations.
+constexpr int kMostIterations = 120;
 /// Barrier parameter of a solve that starts from a solution of nearly the same problem.
 constexpr double kWarmBarrier = 1e-2;
 
@@ -22,13 +24,15 @@ SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& op
 }
 
 SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
-                                        double tolerance, const Interrupt& interrupt) const
+                                        const std::vector<char>& pinned, double tolerance,
+                                        const Interrupt& interrupt) const
 {
-  const MotionLimits limits = motion_limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits);
+  const MotionLimits limits(robot_, segment.mode, reference_speed_);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, previous, pinned);
 
   ocp::Options solver_options;
   solver_options.tolerance = tolerance;
+  solver_options.max_iterations = kMostIterations;
   if (previous) solver_options.initial_barrier = kWarmBarrier;
   Solver solver;
   const Solver::Solution& solution =

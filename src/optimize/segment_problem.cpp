@@ -11,6 +11,11 @@ namespace
 using Problem = ocp::Problem<5, 3>;
 using Bounds = ocp::Bounds<5, 3>;
 
+/// By so much |phi| may exceed what it was in the earlier solution [rad].
+constexpr double kSteeringSlack = 0.05;
+/// Speed at a knot where the robot is to stop: the solver needs some room between the bounds [m/s].
+constexpr double kStandstill = 1e-3;
+
 bool is_cusp(const Segment& segment, std::size_t knot)
 {
   return knot > 0 && knot < segment.intervals() &&
@@ -55,15 +60,40 @@ void set_rows(const Segment& segment, const Corridor& corridor, double offset, d
   }
 }
 
-void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double h_ref,
-                Problem& problem)
+/// Whether the reference steers so sharply at a knot that the wheels need more time than the interval has.
+bool is_sharp(const Segment& segment, std::size_t knot, double steering_rate, double longest)
 {
-  for (std::size_t k = 0; k <= segment.intervals(); ++k)
+  return knot > 0 && knot < segment.intervals() &&
+         std::abs(segment.phi[knot] - segment.phi[knot - 1]) > steering_rate * longest;
+}
+
+/// How far |phi| may go at each knot: anywhere at first, not far beyond its earlier value later.
+std::vector<double> steering_reach(const Segment& segment, const MotionLimits& limits, const Trajectory* previous)
+{
+  std::vector<double> reach(segment.knots.size(), limits.angle);
+  if (!previous) return reach;
+  for (std::size_t k = 0; k < reach.size(); ++k)
+    reach[k] = std::min(limits.angle, std::abs((*previous)[k].phi) + kSteeringSlack);
+  return reach;
+}
+
+void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double h_ref,
+                const Trajectory* previous, const std::vector<char>& pinned, Problem& problem)
+{
+  const std::size_t n = segment.intervals();
+  const std::vector<double> reach = steering_reach(segment, limits, previous);
+  const double longest = options.longest_interval * h_ref;
+  const auto takes_time = [&](std::size_t knot) {
+    return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.steering_rate, longest);
+  };
+  for (std::size_t k = 0; k <= n; ++k)
   {
-    const bool beside_rest = is_at_rest(segment, k) || (k < segment.intervals() && is_at_rest(segment, k + 1));
+    const double next_reach = reach[std::min(k + 1, n)];
+    const double speed = !pinned.empty() && pinned[k] ? kStandstill : limits.speed;
+    const bool slow = takes_time(k) || (k < n && takes_time(k + 1));
     Bounds& bounds = problem.bounds[k];
-    bounds.upper.tail<5>() << limits.speed, limits.angle, limits.acceleration, limits.steering_rate,
-        (beside_rest ? options.longest_at_rest : options.longest_interval) * h_ref;
+    bounds.upper.tail<5>() << speed, reach[k], limits.acceleration,
+        limits.steering_rate_within(std::max(reach[k], next_reach)), slow ? options.longest_at_rest * h_ref : longest;
     bounds.lower.tail<5>() = -bounds.upper.tail<5>();
     bounds.lower[7] = options.shortest_interval * h_ref;
   }
@@ -122,7 +152,8 @@ void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipli
 }
 
 SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits)
+                               const OptimizeOptions& options, const MotionLimits& limits, const Trajectory* previous,
+                               const std::vector<char>& pinned)
 {
   const std::size_t n = segment.intervals();
   double length = 0.0;
@@ -139,7 +170,7 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   numbers.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
   numbers.terminal_fixed = {true, true, true, true, false};
-  set_bounds(segment, limits, options, problem.model.h_ref, numbers);
+  set_bounds(segment, limits, options, problem.model.h_ref, previous, pinned, numbers);
   set_rows(segment, corridor, robot.length / 4.0, options.corridor_weight, problem.model, numbers);
   return problem;
 }

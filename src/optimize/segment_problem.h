@@ -48,8 +48,11 @@ struct SegmentProblem
   ocp::Problem<5, 3> numbers;
 };
 
+/// v = 0 at the knots that `pinned` marks (one per knot, or none). With an earlier solution as `previous` (may be null), |phi|
+/// stays near what it was there, and where that is small the wheels may turn faster.
 SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits);
+                               const OptimizeOptions& options, const MotionLimits& limits, const Trajectory* previous,
+                               const std::vector<char>& pinned);
 
 /// The reference driven at the reference speed, paper eq. (21); `h_ref` seconds for each interval.
 ocp::Trajectory<5, 3> reference_guess(const Segment& segment, const MotionLimits& limits, double h_ref);

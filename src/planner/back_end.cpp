@@ -52,13 +52,14 @@ public:
     RefinedSegment result;
     Segment around = reference;  // what the corridor is built around
     std::vector<double> shrink(reference.intervals(), 0.0);
+    std::vector<char> pinned(reference.knots.size(), 0);
     for (int round = 1; round <= options_.outer_iterations + options_.repairs; ++round)
     {
       PolytopeCorridor corridor = polytope_corridor(obstacles_, checker_.discs(), polytopes_, around.knots, shrink);
       if (corridor.status != CorridorStatus::succeeded) return give_up(result, corridor.message);
       const bool rough = round < options_.outer_iterations;
       SegmentSolution solution = optimizer_.solve(reference, corridor.regions, round == 1 ? nullptr : &result.points,
-                                                  rough ? kRoughTolerance : kFineTolerance, interrupt_);
+                                                  pinned, rough ? kRoughTolerance : kFineTolerance, interrupt_);
       ++result.outer_iterations;
       result.solver_iterations += solution.iterations;
       if (!solution.solved) return give_up(result, solution.message);
@@ -66,7 +67,7 @@ public:
       result.corridor = std::move(corridor.regions);
       if (rough)
         for (std::size_t k = 0; k < around.knots.size(); ++k) around.knots[k] = result.points[k].pose();
-      else if (is_certified(result, shrink))
+      else if (is_certified(reference, result, shrink, pinned))
         return result;
     }
     return give_up(result, "the certificate still fails after all repairs");
@@ -79,18 +80,24 @@ private:
     return std::move(result);
   }
 
-  /// Sets `solved` when no disc comes too close between the knots; shrinks the regions where one does.
-  bool is_certified(RefinedSegment& result, std::vector<double>& shrink) const
+  /// Sets `solved` when no disc comes too close between the knots. Where one does, shrinks the region, and where the
+  /// robot turns back within the interval, out of what the region's chord knows of, makes it stop at the cusp instead.
+  bool is_certified(const Segment& reference, RefinedSegment& result, std::vector<double>& shrink,
+                    std::vector<char>& pinned) const
   {
     const Certificate certificate = certify(checker_, robot_, result.points);
     result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
     result.solved = true;
     for (std::size_t k = 0; k < shrink.size(); ++k)
-      if (certificate.clearance[k] < kLeastClearance)
-      {
-        result.solved = false;
+    {
+      if (certificate.clearance[k] >= kLeastClearance) continue;
+      result.solved = false;
+      if (result.points[k].v * result.points[k + 1].v < 0.0)
+        for (std::size_t knot = k > 0 ? k : 1; knot <= std::min(k + 1, shrink.size() - 1); ++knot)
+          pinned[knot] = std::signbit(reference.length[knot - 1]) != std::signbit(reference.length[knot]);
+      else
         shrink[k] += kWantedClearance - certificate.clearance[k];
-      }
+    }
     return result.solved;
   }
 
@@ -155,7 +162,7 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
         refined[i] = refiner.refine(spaced[i]);
         refined[i].outer_iterations += rounds;
         refined[i].solver_iterations += iterations;
-        if (refined[i].solved && !refined[i].too_coarse) break;
+        if (!refined[i].too_coarse) break;
       }
     });
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/robot.h"
 
@@ -7,17 +9,24 @@ namespace fourwis
 {
 
 /// Limits of (v, phi, a, omega) within a mode under which body and wheels keep theirs, whatever the motion.
-struct MotionLimits
+class MotionLimits
 {
+public:
+  /// `reference_speed` bounds the speed, too. The wheels on the inside of a curve turn faster than the equivalent wheel,
+  /// those on the outside roll faster than the centre; `wheel_max_rate` and `wheel_max_speed` hold for all of them.
+  MotionLimits(const Robot& robot, Mode mode, double reference_speed);
+
   double speed;          ///< of |v| [m/s]
   double angle;          ///< of |phi| [rad]
   double acceleration;   ///< of |a| [m/s^2]
-  double steering_rate;  ///< of |omega| [rad/s]
-};
+  double steering_rate;  ///< of |omega|, whatever phi [rad/s]
 
-/// `reference_speed` bounds the speed, too. The wheels on the inside of a curve turn faster than the equivalent wheel, those on the
-/// outside roll faster than the centre: where they do most, at full lock, they keep `wheel_max_rate` and
-/// `wheel_max_speed`.
-MotionLimits motion_limits(const Robot& robot, Mode mode, double reference_speed);
+  /// Of |omega| while |phi| is no more than `within` [rad/s]: the less the wheels are turned, the faster they may.
+  double steering_rate_within(double within) const;
+
+private:
+  static constexpr int kSteps = 64;
+  std::array<double, kSteps + 1> rate_within_;  ///< k-th: while |phi| <= k angle / kSteps
+};
 
 }  // namespace fourwis

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fourwis_navigation/model/corridor.h"
 #include "fourwis_navigation/model/interrupt.h"
@@ -34,9 +35,10 @@ class SegmentOptimizer
 public:
   SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
-  /// Solves from the reference, or from `previous` with as many points where it is given, to `tolerance`.
-  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous, double tolerance,
-                        const Interrupt& interrupt) const;
+  /// Solves from the reference, or from `previous` with as many points where it is not null, to `tolerance`. The robot stops at
+  /// the knots that `pinned` marks (one per knot, or none).
+  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
+                        const std::vector<char>& pinned, double tolerance, const Interrupt& interrupt) const;
 
 private:
   const Robot& robot_;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "fourwis_navigation/optimize/segment_optimizer.h"
+
+namespace fourwis
+{
+
+/// SegmentOptimizer's problem, the very same, on Ipopt: slower, but another algorithm. The fallback where the structured
+/// solver gives up, and what tests compare it with. Solves of several threads wait for one another.
+class IpoptSegmentOptimizer
+{
+public:
+  /// Keeps references to robot and options.
+  IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
+
+  /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense, whatever is in it, is not solved.
+  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
+                        const std::vector<char>& pinned, double tolerance, const Interrupt& interrupt) const;
+
+private:
+  const Robot& robot_;
+  const OptimizeOptions& options_;
+  double reference_speed_;
+};
+
+}  // namespace fourwis

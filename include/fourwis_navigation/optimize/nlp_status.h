@@ -1,0 +1,26 @@
+#pragma once
+
+namespace fourwis
+{
+
+/// How a nonlinear program ended on Ipopt.
+enum class NlpStatus
+{
+  solved,           ///< to the tolerance asked for
+  acceptable,       ///< no further progress, within Ipopt's looser tolerance
+  iteration_limit,  ///< the result is the last iterate, as in all that follow but the last
+  infeasible,       ///< the constraints' violation has a (local) minimum above zero
+  failed,           ///< no step makes progress
+  interrupted,      ///< by the caller
+  invalid_problem   ///< sizes do not fit, a bound is NaN or above its opposite, a value at the start is not finite
+};
+
+/// For messages: the enumerator's name.
+const char* to_string(NlpStatus status);
+
+inline bool is_solved(NlpStatus status)
+{
+  return status == NlpStatus::solved || status == NlpStatus::acceptable;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,56 @@
+#include "fourwis_navigation/optimize/ipopt_segment_optimizer.h"
+
+#include <algorithm>
+
+#include "fourwis_navigation/optimize/motion_limits.h"
+#include "ipopt_solver.h"
+#include "ocp_nlp.h"
+#include "segment_problem.h"
+
+namespace fourwis
+{
+namespace
+{
+
+bool fits(const Segment& segment, const Corridor& corridor, const Trajectory* previous, const std::vector<char>& pinned)
+{
+  const std::size_t n = segment.intervals();
+  return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && corridor.front.size() == n &&
+         corridor.rear.size() == n && (!previous || previous->size() == n + 1) &&
+         (pinned.empty() || pinned.size() == n + 1) &&
+         std::find(kPlannedModes.begin(), kPlannedModes.end(), segment.mode) != kPlannedModes.end();
+}
+
+}  // namespace
+
+IpoptSegmentOptimizer::IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed)
+  : robot_(robot), options_(options), reference_speed_(reference_speed)
+{
+}
+
+SegmentSolution IpoptSegmentOptimizer::solve(const Segment& segment, const Corridor& corridor,
+                                             const Trajectory* previous, const std::vector<char>& pinned,
+                                             double tolerance, const Interrupt& interrupt) const
+{
+  SegmentSolution result;
+  result.message = to_string(NlpStatus::invalid_problem);
+  if (!fits(segment, corridor, previous, pinned)) return result;
+
+  const MotionLimits limits(robot_, segment.mode, reference_speed_);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, previous, pinned);
+  const OcpNlp<SegmentModel> program(
+      problem.model, problem.numbers,
+      previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref));
+  IpoptOptions solver_options;
+  solver_options.tolerance = tolerance;
+  const NlpResult solution = solve_on_ipopt(program.nlp(), solver_options, interrupt);
+
+  result.solved = is_solved(solution.status);
+  result.message = to_string(solution.status);
+  result.points = points_of(program.trajectory(solution.x), segment.mode);
+  result.iterations = solution.iterations;
+  result.corridor_violation = program.greatest_excess(solution.x);
+  return result;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "../support/grids.h"
+#include "fourwis_navigation/map/obstacle_map.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// What a grid is refused with, or nothing.
+template <typename Check>
+std::string refusal(const Check& check)
+{
+  try
+  {
+    check();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+void expect_refused(const OccupancyGrid& grid, const std::string& field)
+{
+  EXPECT_NE(refusal([&] { check_grid(grid); }).find(field), std::string::npos) << refusal([&] { check_grid(grid); });
+  EXPECT_NE(refusal([&] { ObstacleMap map(grid); }).find(field), std::string::npos) << field;
+}
+
+TEST(CheckGrid, AcceptsWhatIsUsable)
+{
+  EXPECT_EQ(refusal([] { check_grid(free_grid(1, 1, 1e-3)); }), "");
+  EXPECT_EQ(refusal([] { check_grid(free_grid(30, 2, 5.0, {-1e4, 1e4, 100.0})); }), "");
+}
+
+TEST(CheckGrid, RefusesGridsWithoutCells)
+{
+  for (int size : {0, -1, std::numeric_limits<int>::min()})
+  {
+    OccupancyGrid grid = free_grid(3, 3, 0.1);
+    grid.width = size;
+    expect_refused(grid, "width");
+    grid.width = 3;
+    grid.height = size;
+    expect_refused(grid, "height");
+  }
+  expect_refused({}, "width");
+}
+
+TEST(CheckGrid, RefusesDataOfAnotherSize)
+{
+  for (std::size_t cells : {0u, 1u, 11u, 13u, 1000u})
+  {
+    OccupancyGrid grid = free_grid(4, 3, 0.1);
+    grid.data.resize(cells);
+    expect_refused(grid, "data");
+  }
+  OccupancyGrid huge = free_grid(4, 4, 0.1);
+  huge.width = huge.height = std::numeric_limits<int>::max();
+  expect_refused(huge, "data");
+}
+
+TEST(CheckGrid, RefusesResolutionsThatAreNotPositiveNumbers)
+{
+  for (double bad : {0.0, -0.05, std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    OccupancyGrid grid = free_grid(4, 3, 0.1);
+    grid.resolution = bad;
+    expect_refused(grid, "resolution");
+  }
+}
+
+TEST(CheckGrid, RefusesOriginsThatAreNotFinite)
+{
+  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for (const Pose& origin : {Pose{bad, 0.0, 0.0}, Pose{0.0, bad, 0.0}, Pose{0.0, 0.0, bad}})
+      expect_refused(free_grid(4, 3, 0.1, origin), "origin");
+}
+
+}  // namespace
+}  // namespace fourwis

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include "fourwis_navigation/ocp/solver.h"
+
+namespace fourwis::ocp
+{
+
+/// Random numbers that are the same everywhere: std::uniform_real_distribution may differ between libraries.
+class Random
+{
+public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  /// Uniform in [-1, 1].
+  double operator()() { return 2.0 * static_cast<double>(engine_()) / 4294967295.0 - 1.0; }
+
+  template <int Rows, int Columns>
+  Matrix<Rows, Columns> matrix()
+  {
+    return Matrix<Rows, Columns>::NullaryExpr([this](Eigen::Index, Eigen::Index) { return (*this)(); });
+  }
+
+private:
+  std::mt19937 engine_;
+};
+
+/// Quadratic costs, dynamics and rows with random coefficients:
+///   l = 1/2 z' Q z + q' z,   F_i = A_i z + b_i + 1/2 bend z' C z,   g_j = a_j' r + 1/2 bend r' D r.
+template <int NX, int NU, int NR>
+struct RandomModel : ModelBase<NX, NU, NR>
+{
+  using Base = ModelBase<NX, NU, NR>;
+  using typename Base::Control;
+  using typename Base::Derivatives;
+  using typename Base::Gradients;
+  using typename Base::RowHessian;
+  using typename Base::RowPoint;
+  using typename Base::State;
+  using typename Base::Terminal;
+  using typename Base::Value;
+  static constexpr int NZ = NX + NU;
+  static constexpr int kMostRows = 3;
+
+  struct Stage
+  {
+    Matrix<NZ, NZ> Q, C;
+    Vector<NZ> q;
+    Matrix<NX, NZ> A;
+    Vector<NX> b;
+    std::vector<Vector<NR>> a;
+    Matrix<NR, NR> D;
+  };
+  std::vector<Stage> stages;  ///< N + 1
+  double bend = 0.0;
+
+  /// `convexity` is added to the diagonal of Q, whose other part has eigenvalues of both signs.
+  RandomModel(int intervals, double convexity, double bend_of_constraints, Random& random) : bend(bend_of_constraints)
+  {
+    for (int k = 0; k <= intervals; ++k)
+    {
+      Stage stage{random.matrix<NZ, NZ>(), random.matrix<NZ, NZ>(), random.matrix<NZ, 1>(), random.matrix<NX, NZ>(),
+                  random.matrix<NX, 1>(),  {},                      random.matrix<NR, NR>()};
+      stage.Q = (stage.Q + stage.Q.transpose()).eval() / 2.0 + convexity * Matrix<NZ, NZ>::Identity();
+      stage.C = (stage.C + stage.C.transpose()).eval() / 2.0;
+      stage.D = (stage.D + stage.D.transpose()).eval() / 2.0;
+      for (int i = 0; i < kMostRows; ++i) stage.a.push_back(random.matrix<NR, 1>());
+      if (k == intervals)
+      {
+        for (auto& a : stage.a) a.template tail<(NR > NX ? NR - NX : 0)>().setZero();
+        stage.D.template rightCols<(NR > NX ? NR - NX : 0)>().setZero();
+        stage.D.template bottomRows<(NR > NX ? NR - NX : 0)>().setZero();
+      }
+      stages.push_back(stage);
+    }
+  }
+
+  static Vector<NZ> join(const State& x, const Control& u)
+  {
+    Vector<NZ> z;
+    z << x, u;
+    return z;
+  }
+
+  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+  {
+    const Stage& s = stages[k];
+    const Vector<NZ> z = join(x, u);
+    value.cost = 0.5 * z.dot(s.Q * z) + s.q.dot(z);
+    value.defect = s.A * z + s.b - next;
+    value.defect.array() += 0.5 * bend * z.dot(s.C * z);
+  }
+
+  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& derivatives) const
+  {
+    const Stage& s = stages[k];
+    const Vector<NZ> z = join(x, u);
+    derivatives.gradient = s.Q * z + s.q;
+    derivatives.jacobian = s.A + bend * Vector<NX>::Ones() * (s.C * z).transpose();
+    derivatives.hessian = s.Q + bend * lambda.sum() * s.C;
+  }
+
+  double terminal_cost(const State& x) const
+  {
+    return 0.5 * x.dot(stages.back().Q.template topLeftCorner<NX, NX>() * x) + stages.back().q.template head<NX>().dot(x);
+  }
+
+  void differentiate_terminal(const State& x, Terminal& terminal) const
+  {
+    terminal.hessian = stages.back().Q.template topLeftCorner<NX, NX>();
+    terminal.gradient = terminal.hessian * x + stages.back().q.template head<NX>();
+  }
+
+  void rows(int k, const RowPoint& r, RowValues values) const
+  {
+    for (int i = 0; i < values.size(); ++i) values[i] = stages[k].a[i].dot(r) + 0.5 * bend * r.dot(stages[k].D * r);
+  }
+
+  void differentiate_rows(int k, const RowPoint& r, RowMultipliers y, Gradients gradients, RowHessian& hessian) const
+  {
+    for (int i = 0; i < y.size(); ++i) gradients.col(i) = stages[k].a[i] + bend * (stages[k].D * r);
+    hessian = bend * y.sum() * stages[k].D;
+  }
+};
+
+/// Random bounds (every other one missing), rows (elastic and hard) and terminal components. The origin is inside.
+template <int NX, int NU>
+Problem<NX, NU> random_problem(int intervals, int rows_per_stage, Random& random)
+{
+  Problem<NX, NU> problem;
+  problem.reset(intervals);
+  problem.initial_state = random.matrix<NX, 1>();
+  problem.terminal_state = 0.3 * random.matrix<NX, 1>();
+  for (int i = 0; i < NX; i += 2) problem.terminal_fixed[i] = true;
+  for (int k = 0; k <= intervals; ++k)
+  {
+    for (int i = 0; i < NX + NU; ++i)
+    {
+      if (random() > 0.0) problem.bounds[k].lower[i] = -1.5 + 0.5 * random();
+      if (random() > 0.0) problem.bounds[k].upper[i] = 1.5 + 0.5 * random();
+    }
+    for (int i = 0; i < rows_per_stage; ++i)
+      problem.add_row(k, {1.5 + 0.5 * random(), random() > 0.0 ? 10.0 + 5.0 * random() : kInfinity});
+  }
+  return problem;
+}
+
+/// All states and controls zero.
+template <int NX, int NU>
+Trajectory<NX, NU> zero_trajectory(int intervals)
+{
+  return {std::vector<Vector<NX>>(intervals + 1, Vector<NX>::Zero()),
+          std::vector<Vector<NU>>(intervals, Vector<NU>::Zero())};
+}
+
+}  // namespace fourwis::ocp
