@@ -62,6 +62,13 @@ struct Nlp
     start.push_back(value);
     return static_cast<int>(start.size()) - 1;
   }
+
+  /// Holds a variable at its start.
+  void fix(int index)
+  {
+    const std::size_t i = static_cast<std::size_t>(index);
+    lower[i] = upper[i] = start[i];
+  }
 };
 
 /// Whether bounds and start are numbers that make sense.

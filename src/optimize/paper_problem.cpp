@@ -50,9 +50,10 @@ PaperProblem::PaperProblem(const Segment& segment, const BoxCorridor& boxes, con
   : mode_(segment.mode)
 {
   const std::size_t n = segment.intervals();
-  const Trajectory guess = previous ? *previous : reference_points(segment, limits);
+  const Trajectory reference = reference_points(segment, limits);
+  const Trajectory& guess = previous ? *previous : reference;
   const double initial = initial_duration(segment, limits);
-  add_states(guess, limits);
+  add_states(guess, reference.front(), reference.back(), limits);
   add_controls(guess, limits);
   duration_ = nlp_.add_variable(kShortest * initial, kLongest * initial, guess.back().t);
 
@@ -75,17 +76,22 @@ PaperProblem::PaperProblem(const Segment& segment, const BoxCorridor& boxes, con
   }
 }
 
-void PaperProblem::add_states(const Trajectory& guess, const MotionLimits& limits)
+void PaperProblem::add_states(const Trajectory& guess, const TrajectoryPoint& start, const TrajectoryPoint& goal,
+                              const MotionLimits& limits)
 {
-  for (const TrajectoryPoint& point : guess)
-  {
-    const bool is_end = &point == &guess.front() || &point == &guess.back();
-    const auto add = [&](double value, double most) {
-      return nlp_.add_variable(is_end ? value : -most, is_end ? value : most, value);
-    };
-    states_.push_back({add(point.x, kInfinity), add(point.y, kInfinity), add(point.theta, kInfinity),
-                       add(point.v, limits.speed), add(point.phi, limits.angle)});
-  }
+  const auto add = [&](const TrajectoryPoint& p) {
+    states_.push_back({nlp_.add_variable(-kInfinity, kInfinity, p.x), nlp_.add_variable(-kInfinity, kInfinity, p.y),
+                       nlp_.add_variable(-kInfinity, kInfinity, p.theta),
+                       nlp_.add_variable(-limits.speed, limits.speed, p.v),
+                       nlp_.add_variable(-limits.angle, limits.angle, p.phi)});
+  };
+  const auto add_fixed = [&](const TrajectoryPoint& p) {
+    add(p);
+    for (int i : states_.back()) nlp_.fix(i);
+  };
+  add_fixed(start);
+  std::for_each(guess.begin() + 1, guess.end() - 1, add);
+  add_fixed(goal);
 }
 
 void PaperProblem::add_controls(const Trajectory& guess, const MotionLimits& limits)

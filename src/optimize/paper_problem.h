@@ -32,7 +32,8 @@ public:
 private:
   using State = std::array<int, EulerDynamics::kStates>;
 
-  void add_states(const Trajectory& guess, const MotionLimits& limits);
+  void add_states(const Trajectory& guess, const TrajectoryPoint& start, const TrajectoryPoint& goal,
+                  const MotionLimits& limits);
   void add_controls(const Trajectory& guess, const MotionLimits& limits);
 
   const Mode mode_;

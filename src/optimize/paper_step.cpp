@@ -30,37 +30,36 @@ PaperStep::PaperStep(const EulerDynamics& dynamics, const PaperOptions& options,
   for (int i = 0; i < kStates; ++i) hessian_pattern(kResidual + i, kResidual + i) = true;
 }
 
-/// (x, u, h) for the dynamics, from (x, u, kT).
+/// (x, u, h) for the dynamics, from (x, u, T).
 EulerDynamics::Variables PaperStep::step_variables(const Eigen::VectorXd& x) const
 {
-  EulerDynamics::Variables z = x.head<EulerDynamics::kVariables>();
-  z[7] /= steps_;
+  EulerDynamics::Variables z = x.head<kStepVariables>();
+  z[kH] /= steps_;
   return z;
 }
 
 double PaperStep::evaluate(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> rows) const
 {
   const EulerDynamics::Variables z = step_variables(x);
-  const double sweep = z[3] * z[6], h = z[7];
+  const double sweep = z[kV] * z[kOmega], h = z[kH];
   rows = dynamics_.next(z) - x.segment<kStates>(kNext) + x.tail<kStates>();
   return h + alpha_ * sweep * sweep * h + weight_ * x.tail<kStates>().squaredNorm();
 }
 
 void PaperStep::differentiate(const Eigen::VectorXd& x, double s, const Eigen::VectorXd& y, Derivatives& d) const
 {
-  constexpr int n = EulerDynamics::kVariables;
   const EulerDynamics::Variables z = step_variables(x);
-  d.jacobian.leftCols<n>() = dynamics_.jacobian(z);
+  d.jacobian.leftCols<kStepVariables>() = dynamics_.jacobian(z);
   d.jacobian.middleCols<kStates>(kNext).diagonal().setConstant(-1.0);
   d.jacobian.rightCols<kStates>().diagonal().setConstant(1.0);
-  d.hessian.topLeftCorner<n, n>() = dynamics_.hessian(z, y);
+  d.hessian.topLeftCorner<kStepVariables, kStepVariables>() = dynamics_.hessian(z, y);
   differentiate_cost(z, s, d);
 
-  // dh/dT = 1/N; h enters each product once.
-  d.jacobian.col(n - 1) /= steps_;
-  d.gradient[n - 1] /= steps_;
-  d.hessian.row(n - 1) /= steps_;
-  d.hessian.col(n - 1) /= steps_;
+  // From h to T = N h.
+  d.jacobian.col(kT) /= steps_;
+  d.gradient[kT] /= steps_;
+  d.hessian.row(kT) /= steps_;
+  d.hessian.col(kT) /= steps_;
 
   d.gradient.tail<kStates>() = 2.0 * weight_ * x.tail<kStates>();
   d.hessian.bottomRightCorner<kStates, kStates>().diagonal().setConstant(2.0 * s * weight_);

@@ -51,13 +51,6 @@ SearchResult failed(PlanStatus status)
   return result;
 }
 
-/// Parallel motion alone does not turn.
-bool may_turn(const PlanRequest& request)
-{
-  return request.modes.ackermann || request.modes.lateral ||
-         std::abs(wrap_angle(request.goal.theta - request.start.theta)) <= ModeCurves::kSameHeading;
-}
-
 Path shortened(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                const PlanRequest& request, Path path, const Interrupt& interrupt)
 {
@@ -74,6 +67,11 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
 
 }  // namespace
 
+bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
+{
+  return modes.ackermann || modes.lateral || std::abs(wrap_angle(goal.theta - start.theta)) <= ModeCurves::kSameHeading;
+}
+
 FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
                    const Interrupt& interrupt)
   : checker_(checker), robot_(robot), start_(start), goal_(goal),
@@ -89,7 +87,7 @@ SearchResult FrontEnd::find(const SearchOptions& options, const ModeSet& modes, 
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
   const PlanRequest request{start_, goal_, modes};
-  if (!may_be_reachable_ || !may_turn(request)) return failed(PlanStatus::goal_unreachable);
+  if (!may_be_reachable_ || !may_turn(start_, goal_, modes)) return failed(PlanStatus::goal_unreachable);
 
   SearchOptions quick = options;
   quick.max_expansions = std::min(options.max_expansions, kQuickExpansions);

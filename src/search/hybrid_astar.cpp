@@ -157,7 +157,7 @@ private:
     if (--until_connection_ > 0) return false;
     until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * options_.primitive_length()));
 
-    curves_.candidates(node(n).pose, node(n).mode, previous_piece(n), request_.goal,
+    curves_.candidates(node(n).pose, {node(n).mode, previous_piece(n), node(n).parent < 0}, request_.goal,
                        std::numeric_limits<double>::infinity(), candidates_);
     const std::size_t tried = std::min(kCurvesTried, candidates_.size());
     for (std::size_t i = 0; i < tried; ++i)

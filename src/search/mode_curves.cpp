@@ -39,8 +39,8 @@ ModeCurves::ModeCurves(const Robot& robot, const SearchOptions& options, const M
 {
 }
 
-void ModeCurves::candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal,
-                            double budget, std::vector<ModeCurve>& curves) const
+void ModeCurves::candidates(const Pose& from, const Situation& situation, const Pose& goal, double budget,
+                            std::vector<ModeCurve>& curves) const
 {
   curves.clear();
   Pose relative = relative_to(from, goal);
@@ -52,7 +52,7 @@ void ModeCurves::candidates(const Pose& from, Mode mode, const PathPiece* previo
       if (modes_.parallel) append_turn_and_translate(relative, turning, curves);
     }
   if (modes_.parallel) append_parallel(relative, curves);
-  for (ModeCurve& curve : curves) curve.cost = curve_cost(curve, mode, previous);
+  for (ModeCurve& curve : curves) curve.cost = curve_cost(curve, situation);
   const auto useless = [&](const ModeCurve& curve) { return curve.count == 0 || curve.cost >= budget; };
   curves.erase(std::remove_if(curves.begin(), curves.end(), useless), curves.end());
   std::sort(curves.begin(), curves.end(), [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
@@ -110,15 +110,17 @@ void ModeCurves::append_turn_and_translate(const Pose& relative, Mode turning, s
   }
 }
 
-double ModeCurves::curve_cost(const ModeCurve& curve, Mode mode, const PathPiece* previous) const
+double ModeCurves::curve_cost(const ModeCurve& curve, const Situation& situation) const
 {
+  Mode mode = situation.mode;
+  const PathPiece* previous = situation.previous;
   double cost = 0.0;
   for (int i = 0; i < curve.count; ++i)
   {
     const PathPiece& piece = curve.pieces[static_cast<std::size_t>(i)];
     if (piece.mode != mode)
     {
-      cost += cost_.mode_switch(false);
+      cost += cost_.mode_switch(situation.at_start && i == 0);
       previous = nullptr;
       mode = piece.mode;
     }

@@ -14,6 +14,8 @@ namespace
 constexpr std::size_t kCurvesTried = 6;
 /// A shortcut has to save this much [m], or rounding would be chased.
 constexpr double kLeastGain = 1e-6;
+/// Headings that differ by no more are the same [rad].
+constexpr double kExactHeading = 1e-9;
 /// Long pieces are split, so that curves may leave and join them about this far apart [m].
 constexpr double kPlaceSpacing = 0.5;
 
@@ -113,18 +115,28 @@ private:
     set(i + 1, cost, i, curve);
   }
 
+  /// Whether a curve ends in exactly the heading of a place: the goal may be met with a little rounding, but on the way
+  /// every metre that follows would carry it aside.
+  bool meets(const ModeCurve& curve, std::size_t place) const
+  {
+    if (place + 1 == places_.size()) return true;
+    const Pose end = curves_.end_of(curve.pieces[static_cast<std::size_t>(curve.count - 1)]);
+    return std::abs(wrap_angle(end.theta - places_[place].pose.theta)) < kExactHeading;
+  }
+
   /// From a place straight to a later one, if that is cheaper.
   void join(std::size_t from, std::size_t to)
   {
     const double budget =
         std::min(places_[to].cost - places_[from].cost, original_[to] - original_[from]) - kLeastGain;
     if (budget <= distance(places_[from].pose, places_[to].pose)) return;
-    curves_.candidates(places_[from].pose, mode_at(from), last_piece(from), places_[to].pose, budget, candidates_);
+    curves_.candidates(places_[from].pose, {mode_at(from), last_piece(from), from == 0}, places_[to].pose, budget,
+                       candidates_);
     for (std::size_t k = 0; k < std::min(kCurvesTried, candidates_.size()); ++k)
     {
       ModeCurve& curve = candidates_[k];
       curves_.place(places_[from].pose, curve);
-      if (!is_free(checker_, curve)) continue;
+      if (!meets(curve, to) || !is_free(checker_, curve)) continue;
       set(to, places_[from].cost + curve.cost, from, curve);
       return;
     }

@@ -113,6 +113,7 @@ TEST_F(Interrupt, services_answer_while_a_goal_is_planned)
   EXPECT_EQ(plan(stamped(kStart), stamped(kEasy)).status, "succeeded");
   EXPECT_TRUE(is_planning(kSlot));
   cancel();
+  EXPECT_TRUE(wait_for_status("cancelled", kSlot));
 }
 
 TEST_F(Interrupt, a_goal_refused_for_its_form_leaves_the_plan_that_runs_alone)

@@ -19,13 +19,12 @@ constexpr double kAccuracy = 1e-9;
 
 struct Curves : testing::Test
 {
-  /// A connection asked for: from where, in which mode, after which piece, to where.
+  /// A connection asked for: from where, to where, beginning how.
   struct Problem
   {
     Pose from, goal;
     ModeSet modes;
-    Mode mode;
-    const PathPiece* previous;
+    ModeCurves::Situation situation;
     double budget;
   };
 
@@ -38,14 +37,15 @@ struct Curves : testing::Test
     for (int k = 0; k < 1500; ++k)
     {
       const double size = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 2.0 : 15.0;
-      Problem problem{random.pose(5.0), {}, all_mode_sets()[static_cast<std::size_t>(k) % 7], random.mode(), nullptr,
-                      k % 2 == 0 ? kInfinity : random.between(0.0, 30.0)};
+      Problem problem{random.pose(5.0), {}, all_mode_sets()[static_cast<std::size_t>(k) % 7],
+                      {random.mode(), nullptr, k % 3 == 1}, k % 2 == 0 ? kInfinity : random.between(0.0, 30.0)};
       problem.goal = compose(problem.from, random.pose(size));
       if (k % 5 == 0) problem.goal.theta = problem.from.theta;
-      before = {problem.mode, {}, random.steering(robot, problem.mode), random.between(-1.0, 1.0)};
-      if (k % 3 == 0) problem.previous = &before;
+      const Mode mode = problem.situation.mode;
+      before = {mode, {}, random.steering(robot, mode), random.between(-1.0, 1.0)};
+      if (k % 3 == 0) problem.situation.previous = &before;
       const ModeCurves curves(robot, options, cost, problem.modes);
-      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", " + text(problem.modes) + " in " + to_string(problem.mode) +
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", " + text(problem.modes) + " in " + to_string(mode) +
                    " from " + text(problem.from) + " to " + text(problem.goal));
       visit(problem, curves, candidates(curves, problem));
       if (HasFatalFailure()) return;
@@ -55,7 +55,7 @@ struct Curves : testing::Test
   static std::vector<ModeCurve> candidates(const ModeCurves& curves, const Problem& problem)
   {
     std::vector<ModeCurve> found;
-    curves.candidates(problem.from, problem.mode, problem.previous, problem.goal, problem.budget, found);
+    curves.candidates(problem.from, problem.situation, problem.goal, problem.budget, found);
     for (ModeCurve& curve : found) curves.place(problem.from, curve);
     return found;
   }
@@ -121,13 +121,14 @@ TEST_F(Curves, CostWhatTheirPiecesAndSwitchesCost)
     for (const ModeCurve& curve : found)
     {
       double expected = 0.0;
-      const PathPiece* previous = problem.previous;
-      Mode mode = problem.mode;
+      const PathPiece* previous = problem.situation.previous;
+      Mode mode = problem.situation.mode;
       for (int i = 0; i < curve.count; ++i)
       {
         const PathPiece& piece = curve.pieces[static_cast<std::size_t>(i)];
         const bool switches = piece.mode != mode;
-        expected += (switches ? cost.mode_switch(false) : 0.0) + cost.piece(piece, switches ? nullptr : previous);
+        expected += (switches ? cost.mode_switch(i == 0 && problem.situation.at_start) : 0.0) +
+                    cost.piece(piece, switches ? nullptr : previous);
         mode = piece.mode;
         previous = &piece;
       }
@@ -177,7 +178,7 @@ TEST_F(Curves, OfParallelMotionAloneAreOneStraightLine)
   {
     const Pose from = random.pose(5.0), goal = {from.x + random.between(-3.0, 3.0), from.y + 1.0, from.theta};
     const std::vector<ModeCurve> found =
-        candidates(curves, {from, goal, {}, Mode::parallel, nullptr, kInfinity});
+        candidates(curves, {from, goal, {}, {Mode::parallel}, kInfinity});
     ASSERT_EQ(found.size(), 1u) << text(from) << " to " << text(goal);
     ASSERT_EQ(found[0].count, 1);
     ASSERT_NEAR(std::abs(found[0].pieces[0].length), distance(from, goal), kAccuracy);
@@ -190,7 +191,7 @@ TEST_F(Curves, ToWhereTheRobotIsAreNotEmpty)
   {
     const ModeCurves curves(robot, options, cost, modes);
     for (Mode mode : kPlannedModes)
-      for (const ModeCurve& curve : candidates(curves, {{1, 2, 3}, {1, 2, 3}, {}, mode, nullptr, kInfinity}))
+      for (const ModeCurve& curve : candidates(curves, {{1, 2, 3}, {1, 2, 3}, {}, {mode}, kInfinity}))
         EXPECT_GT(cost_of(pieces_of(curve), mode, cost), 0.1) << "a curve of hardly any length";
   }
 }
@@ -216,9 +217,8 @@ TEST_F(Curves, OfLateralMotionAreThoseOfAckermannMotionOfTheRobotTurnedByARightA
   for (int k = 0; k < 300; ++k)
   {
     const Pose from = random.pose(3.0), goal = random.pose(3.0), turn = {0.0, 0.0, M_PI_2};
-    const auto a = candidates(lateral, {from, goal, {}, Mode::lateral, nullptr, kInfinity});
-    const auto b = candidates(ackermann, {compose(from, turn), compose(goal, turn), {}, Mode::ackermann, nullptr,
-                                          kInfinity});
+    const auto a = candidates(lateral, {from, goal, {}, {Mode::lateral}, kInfinity});
+    const auto b = candidates(ackermann, {compose(from, turn), compose(goal, turn), {}, {Mode::ackermann}, kInfinity});
     ASSERT_EQ(a.size(), b.size()) << text(from) << " to " << text(goal);
     for (std::size_t i = 0; i < a.size(); ++i)
     {
@@ -231,13 +231,13 @@ TEST_F(Curves, OfLateralMotionAreThoseOfAckermannMotionOfTheRobotTurnedByARightA
 TEST_F(Curves, AreNeverShorterThanTheLengthTheHeuristicGoesBy)
 {
   for_problems([this](const Problem& problem, const ModeCurves& curves, const std::vector<ModeCurve>& found) {
-    const double bound = curves.length_with_switches(problem.from, problem.mode, problem.goal);
+    const double bound = curves.length_with_switches(problem.from, problem.situation.mode, problem.goal);
     ASSERT_GE(bound, distance(problem.from, problem.goal) - kAccuracy);
     if (found.empty()) return;
     for (const ModeCurve& curve : found)
     {
       double length = 0.0;
-      Mode mode = problem.mode;
+      Mode mode = problem.situation.mode;
       for (const PathPiece& piece : pieces_of(curve))
       {
         length += std::abs(piece.length) + (piece.mode != mode ? cost.mode_switch(false) : 0.0);

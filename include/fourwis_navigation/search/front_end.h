@@ -44,6 +44,9 @@ private:
   mutable std::unique_ptr<const HolonomicDistance> holonomic_distance_;
 };
 
+/// Whether the modes can bring the robot to the goal's heading: parallel motion alone does not turn.
+bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes);
+
 /// One thorough search.
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
                        const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded = nullptr);

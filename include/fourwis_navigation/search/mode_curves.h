@@ -38,9 +38,17 @@ public:
   /// Keeps references: all must outlive this object.
   ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes);
 
-  /// Every candidate that costs less than `budget` from `from`, where the robot is in `mode` after `previous` (may be
-  /// null), to `goal`, cheapest first.
-  void candidates(const Pose& from, Mode mode, const PathPiece* previous, const Pose& goal, double budget,
+  /// Where a curve begins: the mode the robot is in, the piece driven before (null at the start and after a switch),
+  /// and whether it is the start of the whole path, where a switch costs less.
+  struct Situation
+  {
+    Mode mode = Mode::none;
+    const PathPiece* previous = nullptr;
+    bool at_start = false;
+  };
+
+  /// Every candidate that costs less than `budget` from `from` to `goal`, cheapest first.
+  void candidates(const Pose& from, const Situation& situation, const Pose& goal, double budget,
                   std::vector<ModeCurve>& curves) const;
 
   /// Sets the start poses of a curve's pieces from the pose of the first one.
@@ -57,7 +65,7 @@ private:
   void append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const;
   void append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const;
   void append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const;
-  double curve_cost(const ModeCurve& curve, Mode mode, const PathPiece* previous) const;
+  double curve_cost(const ModeCurve& curve, const Situation& situation) const;
 
   const Robot& robot_;
   const SearchOptions& options_;
