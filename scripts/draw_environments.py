@@ -48,17 +48,44 @@ class Environment:
         return image
 
 
-# A maze: narrow corridors and multiple turns. The way that a car can take is the longer one; the two doors of a short
-# cut face each other so closely that only a robot that moves sideways gets through.
+MAZE = """\
++--+--+--+--+--+--+--+
+|  |           |     |
++  +  +  +--+  +--+  +
+|     |     |     |  |
++  +--+--+  +--+  +  +
+|        |  |     |  |
++--+--+--+  +  +--+  +
+|           |     |  |
++  +--+--+--+--+  +  +
+|  |     |        |  |
++  +--+  +  +--+--+  +
+|  |     |  |        |
++  +  +--+  +--+--+  +
+|  |                 |
++--+--+--+--+--+--+--+
+""".splitlines()
+
+
+def maze_walls(drawing, pitch, thickness):
+    """Walls of a maze drawn with + - |, on a lattice of that pitch whose origin is the lower left corner."""
+    walls = []
+    for line, text in enumerate(reversed(drawing)):
+        y = line // 2 * pitch
+        for column in range(0, len(text), 3):
+            x = column // 3 * pitch
+            if line % 2 == 0 and text[column + 1:column + 2] == '-':
+                walls.append(box(x, y, x + pitch + thickness, y + thickness))
+            if line % 2 == 1 and text[column] == '|':
+                walls.append(box(x, y, x + thickness, y + pitch + thickness))
+    return walls
+
+
+# A maze: narrow corridors, many turns, dead ends.
 def env1():
-    t = 0.2  # thickness of a wall
-    walls = [
-        box(0, 2.0, 12.2, 2.0 + t),
-        box(2.0, 4.0, 14, 4.0 + t),
-        box(0, 6.0, 12.2, 6.0 + t),
-        box(2.0, 8.0, 14, 8.0 + t),
-    ]
-    return Environment(14.0, 10.0, '1.1,1.1,0', '12.5,9.1,0', walls)
+    pitch, thickness = 1.8, 0.2
+    return Environment(7 * pitch + thickness, 7 * pitch + thickness, '1.0,1.0,0', '11.8,11.8,1.5708',
+                       maze_walls(MAZE, pitch, thickness))
 
 
 # A car park: cars head to tail along the near wall with one gap, which is the goal; side by side along the far wall and
@@ -74,11 +101,13 @@ def env2():
     return Environment(14.0, 9.0, '2.0,7.4,0', '7.75,0.65,0', far + island + near)
 
 
-# Lateral transfer: two bays and between them a passage hardly longer than the robot, which faces across it at both ends.
+# Lateral transfer: two bays and between them a passage hardly longer than the robot, which faces across it at both
+# ends.
 def env3():
-    below = [(1.8, 0), (5.0, 0), (5.0, 2.35), (4.55, 2.35), (3.25, 1.3), (1.8, 1.3)]
-    above = [(1.8, 2.8), (3.25, 2.8), (4.55, 3.85), (5.0, 3.85), (5.0, 4.85), (1.8, 4.85)]
-    return Environment(7.15, 4.85, '1.0,1.0,1.5708', '6.0,1.0,1.5708', [below, above])
+    left, right, width, height = 2.35, 5.95, 8.35, 4.15
+    below = [(left, 0), (right, 0), (right, 2.0), (4.55, 2.0), (3.9, 1.9), (left, 1.9)]
+    above = [(left, 3.35), (3.9, 3.35), (4.55, 3.45), (right, 3.45), (right, height), (left, height)]
+    return Environment(width, height, '1.3,0.95,1.5708', '7.05,1.3,1.5708', [below, above])
 
 
 # Irregular dense obstacles.

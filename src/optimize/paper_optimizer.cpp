@@ -38,6 +38,7 @@ PaperOptimizer::PaperOptimizer(const Robot& robot, const PaperOptions& options, 
   check("penalty", options.penalty, 1.0, 1e12);
   check("tolerance", options.tolerance, 1e-12, 1.0);
   check("max_iterations", options.max_iterations, 0.0, 1e6);
+  check("reference_speed", reference_speed, 1e-6, 1e6);
 }
 
 PaperSolution PaperOptimizer::solve(const Segment& segment, const BoxCorridor& boxes, const Trajectory* previous,

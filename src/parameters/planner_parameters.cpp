@@ -18,6 +18,12 @@ auto search(Value SearchOptions::*member)
 }
 
 template <class Value>
+auto optimize(Value OptimizeOptions::*member)
+{
+  return [member](PlannerOptions& options) -> Slot { return &(options.optimize.*member); };
+}
+
+template <class Value>
 auto verify(Value VerifyOptions::*member)
 {
   return [member](PlannerOptions& options) -> Slot { return &(options.verify.*member); };
@@ -52,6 +58,17 @@ const ParameterTable<PlannerOptions>& planner_table()
     {"yaw_goal_tolerance", search(&SearchOptions::yaw_goal_tolerance), 0.001, 3.15, "rad"},
     {"shortcut_passes", search(&SearchOptions::shortcut_passes), 0, 1000},
     {"max_expansions", search(&SearchOptions::max_expansions), 1, 1e9},
+
+    {"knot_spacing", optimize(&OptimizeOptions::spacing), 0.01, 2.0, "m"},
+    {"steering_comfort", optimize(&OptimizeOptions::steering_comfort), 0.0, 100.0},
+    {"interval_weight", optimize(&OptimizeOptions::interval_weight), 0.0, 100.0, "1/s"},
+    {"corridor_weight", optimize(&OptimizeOptions::corridor_weight), 1.0, 1e6, "s/m"},
+    {"shortest_interval", optimize(&OptimizeOptions::shortest_interval), 0.01, 0.9},
+    {"longest_interval", optimize(&OptimizeOptions::longest_interval), 1.1, 100.0},
+    {"longest_at_rest", optimize(&OptimizeOptions::longest_at_rest), 2.0, 100.0},
+    {"corridor_range", optimize(&OptimizeOptions::corridor_range), 0.1, 20.0, "m"},
+    {"outer_iterations", optimize(&OptimizeOptions::outer_iterations), 1, 20},
+    {"repairs", optimize(&OptimizeOptions::repairs), 0, 20},
 
     // The referee's other tolerances are the meaning of a trajectory, not a matter of taste.
     {"collision_step", verify(&VerifyOptions::collision_step), 0.0005, 0.01, "m"},

@@ -14,7 +14,8 @@ struct Options
   double initial_barrier = 0.1;          ///< mu at the start; 1e-2 or less for a good guess
   double barrier_factor = 0.2;           ///< mu <- min(barrier_factor mu, mu^barrier_power), not below tolerance / 10
   double barrier_power = 1.5;
-  double terminal_regularization = 1e-9;  ///< delta of x_N - goal = delta (nu_new - nu) in each Newton step
+  double terminal_regularization = 1e-7;  ///< delta of x_N - goal = delta (nu_new - nu) in each Newton step; the result
+                                          ///< does not depend on it, but below 1e-9 the step loses digits
 };
 
 /// Throws std::invalid_argument, naming the option, its value and the range, if one is out of range.

@@ -47,8 +47,8 @@ struct PaperSolution
 class PaperOptimizer
 {
 public:
-  /// Keeps a reference to the robot. Throws std::invalid_argument naming the option, its value and the range, if one is out
-  /// of range.
+  /// Keeps a reference to the robot. Throws std::invalid_argument naming the option, its value and the range, if one, or the
+  /// reference speed, is out of range.
   PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed);
 
   /// Solves from the reference, driven in T = L / v_ref (21), or from `previous`, with as many points, where it is not

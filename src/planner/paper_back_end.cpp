@@ -1,0 +1,157 @@
+#include "fourwis_navigation/planner/paper_back_end.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "fourwis_navigation/segment/segment.h"
+#include "fourwis_navigation/vehicle/footprint.h"
+
+namespace fourwis
+{
+namespace
+{
+
+void check(const PaperBackEndOptions& options)
+{
+  if (!(options.convergence > 0.0))
+    throw std::invalid_argument("paper option convergence = " + std::to_string(options.convergence) +
+                                ": must be positive");
+  if (options.outer_iterations < 1)
+    throw std::invalid_argument("paper option outer_iterations = " + std::to_string(options.outer_iterations) +
+                                ": must be positive");
+}
+
+struct Outcome
+{
+  PaperStatus status = PaperStatus::not_converged;
+  std::string message;
+  PaperSolution solution;
+  BoxCorridor corridor;
+  int outer_iterations = 0, ipopt_iterations = 0;
+};
+
+std::string summary(const Outcome& outcome)
+{
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, "psi = %.3g after %d rounds with %d iterations, the last one %s",
+                outcome.solution.infeasibility, outcome.outer_iterations, outcome.ipopt_iterations,
+                to_string(outcome.solution.status));
+  return buffer;
+}
+
+std::vector<Pose> poses(const Trajectory& points)
+{
+  std::vector<Pose> result;
+  for (const TrajectoryPoint& point : points) result.push_back(point.pose());
+  return result;
+}
+
+class PaperLoop
+{
+public:
+  PaperLoop(const ObstacleRectangles& obstacles, const Robot& robot, const PaperBackEndOptions& options,
+            double reference_speed, const Interrupt& interrupt)
+    : obstacles_(obstacles), discs_(two_discs(robot)), options_(options),
+      optimizer_(robot, options.program, reference_speed), interrupt_(interrupt)
+  {
+  }
+
+  /// corridor <-> program for one segment.
+  Outcome run(const Segment& segment) const
+  {
+    Outcome outcome;
+    while (outcome.status == PaperStatus::not_converged && outcome.outer_iterations < options_.outer_iterations)
+      iterate(segment, outcome);
+    outcome.message = outcome.message.empty() ? summary(outcome) : outcome.message;
+    return outcome;
+  }
+
+private:
+  void iterate(const Segment& segment, Outcome& outcome) const
+  {
+    const Trajectory& current = outcome.solution.points;
+    BoxCorridorResult boxes =
+        box_corridor(obstacles_, discs_, options_.boxes, current.empty() ? segment.knots : poses(current));
+    if (boxes.status != CorridorStatus::succeeded)
+    {
+      outcome.status = PaperStatus::corridor;
+      outcome.message = boxes.message;
+      return;
+    }
+    outcome.corridor = std::move(boxes.regions);
+    PaperSolution next = optimizer_.solve(segment, outcome.corridor, current.empty() ? nullptr : &current, interrupt_);
+    ++outcome.outer_iterations;
+    outcome.ipopt_iterations += next.iterations;
+    if (next.status == NlpStatus::invalid_problem)
+      outcome.status = PaperStatus::invalid_path;
+    else if (next.status == NlpStatus::interrupted)
+      outcome.status = PaperStatus::interrupted;
+    else if (next.infeasibility < options_.convergence)
+      outcome.status = PaperStatus::converged;
+    outcome.solution = std::move(next);
+  }
+
+  const ObstacleRectangles& obstacles_;
+  const TwoDiscs discs_;
+  const PaperBackEndOptions& options_;
+  const PaperOptimizer optimizer_;
+  const Interrupt& interrupt_;
+};
+
+/// Eq. (23): appends a part that begins at t = 0, `pause` after the whole's end.
+void append(const Trajectory& part, double pause, Trajectory& whole)
+{
+  const double begin = whole.empty() ? 0.0 : whole.back().t + pause;
+  for (TrajectoryPoint point : part)
+  {
+    point.t += begin;
+    whole.push_back(point);
+  }
+}
+
+}  // namespace
+
+const char* to_string(PaperStatus status)
+{
+  switch (status)
+  {
+    case PaperStatus::converged: return "converged";
+    case PaperStatus::not_converged: return "not_converged";
+    case PaperStatus::corridor: return "corridor";
+    case PaperStatus::interrupted: return "interrupted";
+    case PaperStatus::invalid_path: return "invalid_path";
+  }
+  return "";
+}
+
+PaperRefinement refine_as_in_paper(const ObstacleRectangles& obstacles, const Robot& robot,
+                                   const PaperBackEndOptions& options, double reference_speed, const Path& path,
+                                   const Interrupt& interrupt)
+{
+  check(options);
+  PaperRefinement result;
+  const PaperLoop loop(obstacles, robot, options, reference_speed, interrupt);
+  const std::vector<Segment> segments = split_at_switches(path, robot, options.spacing);
+  result.segments = static_cast<int>(segments.size());
+  result.message = "the path has nothing to drive, or is unusable";
+  for (const Segment& segment : segments)
+  {
+    Outcome outcome = loop.run(segment);
+    if (&segment == &segments.front() || result.status == PaperStatus::converged)
+    {
+      result.status = outcome.status;
+      result.message = outcome.message;
+    }
+    append(outcome.solution.points, robot.mode_switch_time, result.trajectory);
+    result.outer_iterations = std::max(result.outer_iterations, outcome.outer_iterations);
+    result.ipopt_iterations += outcome.ipopt_iterations;
+    result.infeasibility = std::max(result.infeasibility, outcome.solution.infeasibility);
+    result.corridors.push_back(std::move(outcome.corridor));
+    if (interrupt.cancelled() || interrupt.timed_out()) break;
+  }
+  return result;
+}
+
+}  // namespace fourwis
