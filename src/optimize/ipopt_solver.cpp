@@ -27,6 +27,10 @@ void configure(const IpoptOptions& options, Ipopt::OptionsList& list)
   list.SetIntegerValue("print_level", 0);
   list.SetNumericValue("tol", options.tolerance);
   list.SetNumericValue("mu_init", options.initial_barrier);
+  list.SetNumericValue("bound_push", options.bound_distance);
+  list.SetNumericValue("bound_frac", std::min(0.5, options.bound_distance));
+  list.SetNumericValue("slack_bound_push", options.bound_distance);
+  list.SetNumericValue("slack_bound_frac", std::min(0.5, options.bound_distance));
   list.SetIntegerValue("max_iter", options.max_iterations);
   // Half the time of the defaults on problems of this structure.
   list.SetIntegerValue("mumps_pivot_order", 0);

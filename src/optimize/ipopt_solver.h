@@ -12,7 +12,8 @@ namespace fourwis
 struct IpoptOptions
 {
   double tolerance = 1e-6;
-  double initial_barrier = 1e-2;
+  double initial_barrier = 1e-2;  ///< less for a start close to the solution
+  double bound_distance = 1e-2;   ///< the start is moved at least so far away from bounds, likewise
   int max_iterations = 500;
 };
 

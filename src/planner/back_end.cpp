@@ -18,7 +18,7 @@ namespace
 /// Accuracy of the rounds before the last, and of the last.
 constexpr double kRoughTolerance = 1e-2, kFineTolerance = 1e-6;
 /// A region that lets a disc come closer to an obstacle than the first is shrunk so that it keeps the second [m].
-constexpr double kLeastClearance = 0.002, kWantedClearance = 0.004;
+constexpr double kLeastClearance = 0.001, kWantedClearance = 0.003;
 /// The exact motion from one point may miss the next by this much before the knots are put closer together [m].
 constexpr double kMostRolloutMiss = 0.004;
 /// A switch is this much longer than the wheels need, for rounding.
@@ -29,7 +29,7 @@ constexpr int kHalvings = 2;
 struct RefinedSegment
 {
   bool solved = false;
-  bool too_coarse = false;  ///< the exact motion misses a knot: try again with more of them
+  bool too_coarse = false;  ///< what happens between the knots is the trouble: try again with more of them
   std::string message;
   Trajectory points;
   Corridor corridor;
@@ -65,17 +65,20 @@ public:
       if (!solution.solved) return give_up(result, solution.message);
       result.points = std::move(solution.points);
       result.corridor = std::move(corridor.regions);
+      const bool certified = is_certified(reference, result, shrink, pinned);
       if (rough)
         for (std::size_t k = 0; k < around.knots.size(); ++k) around.knots[k] = result.points[k].pose();
-      else if (is_certified(reference, result, shrink, pinned))
+      else if (certified)
         return result;
     }
+    result.too_coarse = true;
     return give_up(result, "the certificate still fails after all repairs");
   }
 
 private:
   RefinedSegment give_up(RefinedSegment& result, const std::string& message) const
   {
+    result.solved = false;
     result.message = message;
     return std::move(result);
   }

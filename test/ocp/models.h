@@ -108,7 +108,8 @@ struct Car : ModelBase<4, 3, 3>
     }
   }
 
-  /// A swing to the left and back between two walls along y = 0 .. 1.2, that only just lets the point ahead through.
+  /// A swing to the left by 1 m between two walls that leave it late and end it early: |y| <= 0.15 in the first 2/5 of the
+  /// intervals, |y - 1| <= 0.15 in the last 2/5 (y of the point ahead).
   static Problem<4, 3> swing(Car& car, int intervals, double weight)
   {
     car.half_planes = {{0.0, 1.0}, {0.0, -1.0}};
@@ -118,11 +119,11 @@ struct Car : ModelBase<4, 3, 3>
     problem.terminal_fixed = {true, true, true, true};
     for (int k = 0; k <= intervals; ++k)
     {
-      problem.bounds[k].lower.tail<4>() << -1.0, -2.0, -1.0, 0.005;
-      problem.bounds[k].upper.tail<4>() << 1.0, 2.0, 1.0, 0.5;
+      problem.bounds[k].lower.tail<4>() << 0.0, -2.0, -3.0, 0.005;
+      problem.bounds[k].upper.tail<4>() << 1.0, 2.0, 3.0, 0.5;
       if (k == 0 || k == intervals) continue;
-      problem.add_row(k, {1.02, weight});
-      problem.add_row(k, {0.02, weight});
+      problem.add_row(k, {5 * k <= 2 * intervals ? 0.15 : 1.15, weight});
+      problem.add_row(k, {5 * k < 3 * intervals ? 0.15 : -0.85, weight});
     }
     return problem;
   }

