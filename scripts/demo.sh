@@ -25,7 +25,7 @@ else
   map=(map "$root/config/env1.yaml")
   robot=$root/config/robot.yaml
   start=1,1,0
-  goal=10,10,0
+  goal=11.8,11.8,1.5708
 fi
 
 "$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --robot "$robot" \

@@ -119,8 +119,8 @@ struct Car : ModelBase<4, 3, 3>
     problem.terminal_fixed = {true, true, true, true};
     for (int k = 0; k <= intervals; ++k)
     {
-      problem.bounds[k].lower.tail<4>() << 0.0, -2.0, -3.0, 0.005;
-      problem.bounds[k].upper.tail<4>() << 1.0, 2.0, 3.0, 0.5;
+      problem.bounds[k].lower.tail<4>() << 0.0, -2.0, -3.0, 0.08;
+      problem.bounds[k].upper.tail<4>() << 1.0, 2.0, 3.0, 0.12;
       if (k == 0 || k == intervals) continue;
       problem.add_row(k, {5 * k <= 2 * intervals ? 0.15 : 1.15, weight});
       problem.add_row(k, {5 * k < 3 * intervals ? 0.15 : -0.85, weight});

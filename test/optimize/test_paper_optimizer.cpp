@@ -72,7 +72,7 @@ struct PaperOptimizerTest : testing::TestWithParam<Mode>
   }
 
   const Robot robot;
-  const PaperOptions options;
+  PaperOptions options;
 };
 
 TEST_P(PaperOptimizerTest, DrivesThroughItsBoxesKeepingLimitsAndEnds)
@@ -82,7 +82,7 @@ TEST_P(PaperOptimizerTest, DrivesThroughItsBoxesKeepingLimitsAndEnds)
   ASSERT_EQ(solution.status, NlpStatus::solved);
   EXPECT_LT(solution.infeasibility, 1e-6);
   EXPECT_GT(solution.iterations, 0);
-  EXPECT_GT(solution.duration(), 4.0 / kSpeed);
+  EXPECT_GT(solution.duration(), distance(bend.segment.knots.front(), bend.segment.knots.back()) / kSpeed);
   EXPECT_LT(solution.duration(), 6.0 / kSpeed);
 
   const std::size_t n = bend.segment.intervals();
@@ -117,17 +117,19 @@ TEST_P(PaperOptimizerTest, DrivesThroughItsBoxesKeepingLimitsAndEnds)
 
 TEST_P(PaperOptimizerTest, LiftedFormEndsAtAStationaryPointOfThePapers)
 {
+  options.penalty = 1e4;  // differences cannot resolve more
+  options.tolerance = 1e-9;
   const Bend bend(robot, GetParam());
   const PaperSolution solution = solve(bend);
   ASSERT_EQ(solution.status, NlpStatus::solved);
   const auto slope = [&](const std::function<void(Trajectory&, double)>& move) {
-    constexpr double kStep = 1e-5;
+    constexpr double kStep = 1e-8;
     Trajectory up = solution.points, down = solution.points;
     move(up, kStep);
     move(down, -kStep);
     return (paper_cost(up, bend.boxes, robot, options) - paper_cost(down, bend.boxes, robot, options)) / (2.0 * kStep);
   };
-  const double tolerance = 0.02;  // a share of dJ/dT = 1 at fixed residuals
+  const double tolerance = 0.002;  // the slope of T alone is 1
   for (std::size_t k = 1; k < bend.segment.intervals(); ++k)
   {
     SCOPED_TRACE(k);

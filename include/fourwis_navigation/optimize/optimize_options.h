@@ -8,7 +8,7 @@ struct OptimizeOptions
 {
   double spacing = 0.2;             ///< D, distance between knots of the reference [m]
   double steering_comfort = 0.02;   ///< alpha, weight of (v omega)^2 over time
-  double interval_weight = 1.0;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
+  double interval_weight = 0.2;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
   double corridor_weight = 100.0;   ///< what a metre outside the corridor costs [s/m]
   double shortest_interval = 0.1;   ///< least h_k, of h_ref
   double longest_interval = 1.5;    ///< greatest h_k, of h_ref
