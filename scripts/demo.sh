@@ -22,10 +22,10 @@ if [[ -e $building ]]; then
   goal=16.9,2.9,-1.5708
 else
   echo "No laser map of a building here (liboctomap-dev without its documentation); using a map of ours instead."
-  map=(map "$root/config/env1.yaml")
+  map=(map "$root/config/env2.yaml")
   robot=$root/config/robot.yaml
-  start=1,1,0
-  goal=11.8,11.8,1.5708
+  start=2,7.4,0
+  goal=7.75,0.65,0
 fi
 
 "$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --robot "$robot" \

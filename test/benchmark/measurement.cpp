@@ -22,7 +22,7 @@ Measurement measure(const Setup& setup, const OccupancyGrid& grid, const Pose& s
   for (int run = 0; run < setup.runs; ++run)
   {
     const World world(grid, setup.robot, setup.options);
-    PlanResult result = planner.plan(world, {start, goal, setup.modes});
+    PlanResult result = planner.plan(world, {start, goal, setup.modes, setup.frontend_only});
     measurement.frontend_ms.push_back(result.metrics.frontend_ms);
     measurement.verify_ms.push_back(result.metrics.verify_ms);
     const bool by_clock = result.status == PlanStatus::timeout || measurement.result.status == PlanStatus::timeout;

@@ -16,6 +16,7 @@ struct Setup
   PlannerOptions options;
   ModeSet modes;
   int runs = 20;
+  bool frontend_only = true;  ///< without the back end
 };
 
 /// Repeated runs of one problem.

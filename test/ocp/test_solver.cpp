@@ -163,8 +163,10 @@ TEST(Solver, RowsThatContradictEachOtherAreExceededByAsLittleAsPossible)
   // y <= 0.3 and y >= 0.5 at one knot: whatever y in between, the two are exceeded by 0.2 together.
   problem.rows[2 * 19].upper = 0.3;
   problem.rows[2 * 19 + 1].upper = -0.5;
+  Options options;
+  options.tolerance = 1e-8;
   Solver<Car> solver;
-  const auto& solution = solver.solve(car, problem, Car::guess(intervals));
+  const auto& solution = solver.solve(car, problem, Car::guess(intervals), options);
   expect_optimal(car, problem, solution, 1e-6);
   EXPECT_NEAR(std::accumulate(solution.excess.begin(), solution.excess.end(), 0.0), 0.2, 1e-5);
   EXPECT_EQ(solution.statistics.elastic_violation, *std::max_element(solution.excess.begin(), solution.excess.end()));
