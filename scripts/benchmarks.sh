@@ -17,20 +17,25 @@ program=$(find "$root/build" -type f -name benchmark_frontend -perm -u+x | head 
 measure=("$program" --markdown --runs "$runs")
 problems=(--problems "$data/problems/bit_4wis.csv" --problems "$data/problems/generated/problems.csv")
 
-tables=$(mktemp)
-trap 'rm -f "$tables" "$tables.page"' EXIT
+written=$(mktemp)
+trap 'rm -f "$written"' EXIT
 {
   sed "/^$marker\$/q" "$page"
   echo
   echo "Measured on $(nproc) cores, $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), $runs runs each."
   echo
+  echo '## The front end alone'
+  echo
+  "${measure[@]}" --frontend-only "${problems[@]}" --environments
+  "${measure[@]}" --frontend-only --walled-in "${problems[@]}" --environments
+  "${measure[@]}" --ablation
+  "${measure[@]}" --frontend-only --barn "$data/maps/barn"
+  echo '## The whole pipeline'
+  echo
   "${measure[@]}" "${problems[@]}" --environments
-  echo '### The environments in Ackermann motion only (the paper'"'"'s Single-SC)'
+  echo "### The environments in Ackermann motion only (the paper's Single-SC)"
   echo
   "${measure[@]}" --environments --modes ackermann | tail -n +3
-  "${measure[@]}" --walled-in "${problems[@]}" --environments
-  "${measure[@]}" --ablation
   "${measure[@]}" --corner-to-corner --map "$data/maps/nav2/warehouse.yaml" --map "$data/maps/nav2/100by100_10.yaml"
-  "${measure[@]}" --barn "$data/maps/barn"
-} >"$tables.page"
-cp "$tables.page" "$page"
+} >"$written"
+cp "$written" "$page"

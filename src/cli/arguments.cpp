@@ -112,7 +112,8 @@ po::options_description known_options()
     ("repeat", value("N"), "plan N times and report the medians of the times")
     ("json", value("FILE"), "write status, metrics and trajectory; - is the standard output")
     ("csv", value("FILE"), "write the trajectory's points")
-    ("svg", value("FILE"), "draw map, footprints and path");
+    ("svg", value("FILE"), "draw map, footprints and path")
+    ("corridors", "draw the regions that the optimisation kept the disc centres in, too");
   return options;
 }
 
@@ -143,6 +144,7 @@ void check_combination(const po::variables_map& given)
   for (const char* const option : {"height-min", "height-max"})
     if (given.count(option) > 0 && given.count("octomap") == 0)
       throw po::error(std::string("--") + option + " requires --octomap");
+  if (given.count("corridors") > 0 && given.count("svg") == 0) throw po::error("--corridors requires --svg");
   for (const char* const option : {"csv", "svg"})
     if (text_of(given, option) == "-")
       refuse(std::string("--") + option, "-", "a file: only --json writes to the standard output");
@@ -163,6 +165,7 @@ PlanArguments arguments_in(const po::variables_map& given)
   arguments.planner = text_of(given, "planner");
   if (given.count("modes") > 0) arguments.modes = modes_in(text_of(given, "modes"));
   arguments.frontend_only = given.count("frontend-only") > 0;
+  arguments.corridors = given.count("corridors") > 0;
   if (given.count("repeat") > 0) arguments.repeat = repetitions_in(text_of(given, "repeat"));
   arguments.json = text_of(given, "json");
   arguments.csv = text_of(given, "csv");

@@ -122,7 +122,7 @@ std::string shortened(const std::string& text, double width)
 
 }  // namespace
 
-void write_legend(std::ostream& out, const Page& page, const PlanResult& result)
+void write_legend(std::ostream& out, const Page& page, const PlanResult& result, bool with_corridors)
 {
   const double first = page.map_height + 25.0, second = page.map_height + 53.0;
   const std::string status = to_string(result.status);
@@ -141,6 +141,7 @@ void write_legend(std::ostream& out, const Page& page, const PlanResult& result)
   entries.arrow(kGoalColour, "goal");
   entries.box(kOccupiedColour, "occupied");
   entries.box(kUnknownColour, "unknown");
+  if (with_corridors) entries.box(kCorridorColour, "corridors");
   out << "</g>\n";
 }
 

@@ -7,6 +7,7 @@
 
 #include "fourwis_navigation/cli/cell_rectangles.h"
 #include "fourwis_navigation/cli/motion_samples.h"
+#include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "legend.h"
 #include "page.h"
 
@@ -70,6 +71,32 @@ void write_map(std::ostream& out, const Page& page, const PlanPicture& picture)
   write_cells(out, kOccupiedColour,
               cell_rectangles(grid, [&](std::int8_t cell) { return !is_unknown(cell) && cell >= threshold; }));
   out << "</g>\n";
+}
+
+/// The regions of one disc as one shape, so that they do not darken where they overlap, each with its outline.
+void write_regions(std::ostream& out, const Page& page, const PlanPicture& picture, const char* disc,
+                   std::vector<Polytope> Corridor::*regions)
+{
+  const Extent& shown = page.extent;
+  const Point2 middle{(shown.min_x + shown.max_x) / 2.0, (shown.min_y + shown.max_y) / 2.0};
+  const double reach = std::max(shown.max_x - shown.min_x, shown.max_y - shown.min_y);
+  out << "<path class=\"corridor " << disc << "\" d=\"";
+  for (const Corridor& corridor : picture.corridors)
+    for (const Polytope& polytope : corridor.*regions)
+    {
+      std::vector<Point> polygon;
+      for (const Point2& corner : corners(polytope, middle, reach)) polygon.push_back({corner.x, corner.y});
+      out << polyline(page, polygon, true);
+    }
+  out << "\" fill=\"" << kCorridorColour << "\" fill-opacity=\"0.10\" stroke=\"" << kCorridorColour
+      << "\" stroke-opacity=\"0.25\" stroke-width=\"0.5\"/>\n";
+}
+
+void write_corridors(std::ostream& out, const Page& page, const PlanPicture& picture)
+{
+  if (picture.corridors.empty()) return;
+  write_regions(out, page, picture, "front", &Corridor::front);
+  write_regions(out, page, picture, "rear", &Corridor::rear);
 }
 
 void write_footprints(std::ostream& out, const Page& page, const Robot& robot, const ModeRun& run)
@@ -152,9 +179,10 @@ void write_svg(std::ostream& out, const PlanPicture& picture)
   out << "<rect width=\"" << width << "\" height=\"" << pixels(page.map_height) << "\" fill=\"" << kUnknownColour
       << "\"/>\n";
   write_map(out, page, picture);
+  write_corridors(out, page, picture);
   write_plan(out, page, picture, runs);
   out << "</g>\n";
-  write_legend(out, page, picture.result);
+  write_legend(out, page, picture.result, !picture.corridors.empty());
   out << "</svg>\n";
 }
 

@@ -35,6 +35,13 @@ struct Problem
   PlanRequest request;
 };
 
+/// The answer; the trace is empty unless asked for.
+struct Answer
+{
+  PlanResult result;
+  PlanTrace trace;
+};
+
 Problem read_problem(const PlanArguments& arguments)
 {
   Problem problem;
@@ -42,7 +49,7 @@ Problem read_problem(const PlanArguments& arguments)
   if (!arguments.planner.empty()) problem.options = read_planner_file(arguments.planner);
   problem.grid = arguments.octomap.empty() ? read_map_file(arguments.map)
                                            : project_octomap_file(arguments.octomap, arguments.band);
-  problem.request = {arguments.start, arguments.goal, arguments.modes};
+  problem.request = {arguments.start, arguments.goal, arguments.modes, arguments.frontend_only};
   return problem;
 }
 
@@ -70,15 +77,17 @@ double median(std::vector<double> values)
 }
 
 /// Plans `repeat` times from grid to verdict; the times of the answer are medians.
-PlanResult plan_repeatedly(const Problem& problem, int repeat)
+Answer plan_repeatedly(const Problem& problem, int repeat, bool traced)
 {
   const Planner planner(problem.robot, problem.options);
-  PlanResult result;
+  Answer answer;
+  PlanResult& result = answer.result;
   std::vector<PlanMetrics> runs;
   for (int i = 0; i < repeat; ++i)
   {
     const World world(problem.grid, problem.robot, problem.options);
-    result = planner.plan(world, problem.request);
+    answer.trace = {};
+    result = planner.plan(world, problem.request, {}, traced ? &answer.trace : nullptr);
     runs.push_back(result.metrics);
   }
   for (double PlanMetrics::*time : {&PlanMetrics::total_ms, &PlanMetrics::map_ms, &PlanMetrics::frontend_ms,
@@ -88,16 +97,17 @@ PlanResult plan_repeatedly(const Problem& problem, int repeat)
     for (const PlanMetrics& run : runs) times.push_back(run.*time);
     result.metrics.*time = median(times);
   }
-  return result;
+  return answer;
 }
 
-void write(const Outputs& outputs, const Problem& problem, const PlanResult& result)
+void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
 {
   const PlanRequest& request = problem.request;
+  const PlanResult& result = answer.result;
   if (outputs.csv) write_csv(outputs.csv->stream(), result.trajectory);
   if (outputs.svg)
-    write_svg(outputs.svg->stream(),
-              {problem.grid, problem.options.obstacles, problem.robot, request.start, request.goal, result});
+    write_svg(outputs.svg->stream(), {problem.grid, problem.options.obstacles, problem.robot, request.start,
+                                      request.goal, result, answer.trace.corridors});
   if (outputs.csv) outputs.csv->commit();
   if (outputs.svg) outputs.svg->commit();
 
@@ -144,8 +154,9 @@ int run(const PlanArguments& arguments, std::ostream& out, std::ostream& err)
 {
   const Problem problem = read_problem(arguments);
   const Outputs outputs(arguments, out);
-  const PlanResult result = plan_repeatedly(problem, arguments.repeat);
-  write(outputs, problem, result);
+  const Answer answer = plan_repeatedly(problem, arguments.repeat, arguments.corridors);
+  const PlanResult& result = answer.result;
+  write(outputs, problem, answer);
   tell(err, summary(result));
   if (result.status == PlanStatus::succeeded) return kPlanned;
   return result.status == PlanStatus::invalid_input ? kUnusableInput : kNoPlan;

@@ -24,8 +24,8 @@ struct NlpResult
   int iterations = 0;
 };
 
-/// Solves on Ipopt with exact second derivatives. Only one program in the process is solved at a time, others wait: MUMPS,
-/// on which Ipopt depends in Debian, is not thread-safe.
+/// Solves on Ipopt with exact second derivatives. Only one program in the process is solved at a time, others wait:
+/// MUMPS, on which Ipopt depends in Debian, is not thread-safe.
 NlpResult solve_on_ipopt(const Nlp& nlp, const IpoptOptions& options, const Interrupt& interrupt);
 
 }  // namespace fourwis

@@ -30,9 +30,9 @@ public:
   virtual void differentiate(const Eigen::VectorXd& x, double s, const Eigen::VectorXd& y,
                              Derivatives& derivatives) const = 0;
 
-  const std::vector<int> variables;                ///< indices in the program, no two alike
-  Eigen::VectorXd row_lower, row_upper;            ///< row_lower <= g <= row_upper
-  Pattern jacobian_pattern, hessian_pattern;       ///< where derivatives may differ from zero
+  const std::vector<int> variables;           ///< indices in the program, no two alike
+  Eigen::VectorXd row_lower, row_upper;       ///< row_lower <= g <= row_upper
+  Pattern jacobian_pattern, hessian_pattern;  ///< where derivatives may differ from zero
 
 protected:
   /// All rows 0, all derivatives different from zero; for the constructors of derived classes to change.

@@ -21,6 +21,15 @@ void check(const char* name, double value, double least, double most)
                               std::to_string(least) + ", " + std::to_string(most) + "]");
 }
 
+/// The paper's limits: it knows none of single wheels.
+MotionLimits paper_limits(const Robot& robot, Mode mode, double reference_speed)
+{
+  MotionLimits limits(robot, mode, reference_speed);
+  limits.speed = std::min(robot.max_speed, reference_speed);
+  limits.steering_rate = robot.max_steering_rate;
+  return limits;
+}
+
 bool fits(const Segment& segment, const BoxCorridor& boxes, const Trajectory* previous)
 {
   const std::size_t n = segment.intervals();
@@ -47,7 +56,7 @@ PaperSolution PaperOptimizer::solve(const Segment& segment, const BoxCorridor& b
   PaperSolution solution;
   if (!fits(segment, boxes, previous)) return solution;
 
-  const MotionLimits limits(robot_, segment.mode, reference_speed_);
+  const MotionLimits limits = paper_limits(robot_, segment.mode, reference_speed_);
   const PaperProblem problem(segment, boxes, robot_, options_, limits, previous);
   IpoptOptions solver_options;
   solver_options.tolerance = options_.tolerance;

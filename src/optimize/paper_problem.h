@@ -43,8 +43,8 @@ private:
   int duration_ = 0;                          ///< index of T
 };
 
-/// psi of points that are equally far apart in time, with the disc centres of the inner knots where they do best in their
-/// boxes.
+/// psi of points that are equally far apart in time, with the disc centres of the inner knots where they do best in
+/// their boxes.
 double paper_infeasibility(const Trajectory& points, const BoxCorridor& boxes, const Robot& robot);
 
 }  // namespace fourwis

@@ -77,12 +77,16 @@ std::vector<double> steering_reach(const Segment& segment, const MotionLimits& l
   return reach;
 }
 
-void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double h_ref,
-                const Trajectory* previous, const std::vector<char>& pinned, Problem& problem)
+void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double travel,
+                double h_ref, const Trajectory* previous, const std::vector<char>& pinned, Problem& problem)
 {
   const std::size_t n = segment.intervals();
   const std::vector<double> reach = steering_reach(segment, limits, previous);
-  const double longest = options.longest_interval * h_ref;
+  // From rest to rest over a short way there is no time to reach the speed that h_ref stands for.
+  const double ramp = limits.speed * limits.speed / limits.acceleration;
+  const double room = std::sqrt(std::min(travel, ramp) / limits.acceleration);
+  const double longest = std::max(options.longest_interval * h_ref, room);
+  const double longest_at_rest = std::max(options.longest_at_rest * h_ref, room);
   const auto takes_time = [&](std::size_t knot) {
     return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.steering_rate, longest);
   };
@@ -93,7 +97,7 @@ void set_bounds(const Segment& segment, const MotionLimits& limits, const Optimi
     const bool slow = takes_time(k) || (k < n && takes_time(k + 1));
     Bounds& bounds = problem.bounds[k];
     bounds.upper.tail<5>() << speed, reach[k], limits.acceleration,
-        limits.steering_rate_within(std::max(reach[k], next_reach)), slow ? options.longest_at_rest * h_ref : longest;
+        limits.steering_rate_within(std::max(reach[k], next_reach)), slow ? longest_at_rest : longest;
     bounds.lower.tail<5>() = -bounds.upper.tail<5>();
     bounds.lower[7] = options.shortest_interval * h_ref;
   }
@@ -170,7 +174,7 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   numbers.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
   numbers.terminal_fixed = {true, true, true, true, false};
-  set_bounds(segment, limits, options, problem.model.h_ref, previous, pinned, numbers);
+  set_bounds(segment, limits, options, length, problem.model.h_ref, previous, pinned, numbers);
   set_rows(segment, corridor, robot.length / 4.0, options.corridor_weight, problem.model, numbers);
   return problem;
 }

@@ -7,11 +7,12 @@ namespace fourwis
 
 GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
   : tf_listener_(tf_),
-    topics_(parameters.node.global_frame, parameters.robot, parameters.node.show_expansions),
+    topics_(parameters.node, parameters.robot),
     poses_(parameters.node, tf_),
     maps_(parameters.node.global_frame, parameters.robot, parameters.planner,
           [this](const std::string& message) { topics_.publish_refusal({}, message); }),
-    planner_(Planner(parameters.robot, parameters.planner), maps_, parameters.node.show_expansions),
+    planner_(Planner(parameters.robot, parameters.planner), maps_,
+             parameters.node.show_expansions || parameters.node.show_corridors),
     diagnostics_(maps_, topics_),
     goals_(poses_, planner_, parameters.node.modes, topics_),
     services_(poses_, planner_, parameters.node.modes, goals_, topics_)

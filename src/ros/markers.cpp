@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "fourwis_navigation/ros/conversions.h"
 
 namespace fourwis
@@ -13,7 +14,8 @@ namespace
 using visualization_msgs::Marker;
 
 /// Heights at which things lie above the map, so that what matters more is not hidden [m].
-constexpr double kFootprintHeight = 0.01, kExpansionHeight = 0.02, kPathHeight = 0.03, kEndHeight = 0.04;
+constexpr double kCorridorHeight = 0.005, kFootprintHeight = 0.01, kExpansionHeight = 0.02, kPathHeight = 0.03,
+                 kEndHeight = 0.04;
 
 /// A footprint is drawn where the robot has moved by this [m] or turned by this [rad] since the one before.
 constexpr double kFootprintStep = 0.4, kFootprintTurn = 0.35;
@@ -41,9 +43,14 @@ std_msgs::ColorRGBA colour_of(Mode mode, float alpha)
 
 constexpr double kTextSize = 0.4;
 
+/// Regions are drawn within a square of this half side around the plan [m]; no plan is as long.
+constexpr double kCorridorReach = 2e4;
+
 const std_msgs::ColorRGBA kStartColour = colour(0.3f, 0.3f, 0.3f, 1.0f);
 const std_msgs::ColorRGBA kGoalColour = colour(0.84f, 0.15f, 0.16f, 1.0f);
 const std_msgs::ColorRGBA kSwitchColour = colour(0.8f, 0.1f, 0.8f, 1.0f);
+/// Nearly transparent, because neighbouring regions overlap.
+const std_msgs::ColorRGBA kCorridorColour = colour(0.0f, 0.64f, 0.71f, 0.06f);
 
 geometry_msgs::Point point(const Pose& pose, double height)
 {
@@ -131,6 +138,22 @@ Marker switch_marker(const Trajectory& trajectory, const std_msgs::Header& heade
   return finished(spheres);
 }
 
+Marker corridor_marker(const std::string& name, const std::vector<Corridor>& corridors,
+                       std::vector<Polytope> Corridor::*regions, const Pose& around, const std_msgs::Header& header)
+{
+  Marker triangles = marker(name, Marker::TRIANGLE_LIST, 1.0, header);
+  triangles.color = kCorridorColour;
+  for (const Corridor& corridor : corridors)
+    for (const Polytope& polytope : corridor.*regions)
+    {
+      const std::vector<Point2> polygon = corners(polytope, {around.x, around.y}, kCorridorReach);
+      for (std::size_t i = 2; i < polygon.size(); ++i)
+        for (const Point2& corner : {polygon[0], polygon[i - 1], polygon[i]})
+          triangles.points.push_back(point({corner.x, corner.y, 0.0}, kCorridorHeight));
+    }
+  return finished(triangles);
+}
+
 Marker end_marker(const std::string& name, const Robot& robot, const Pose& pose, const std_msgs::ColorRGBA& colour,
                   const std_msgs::Header& header)
 {
@@ -161,6 +184,15 @@ visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, c
   text.pose.position = point(goal, kEndHeight);
   text.text = to_string(status);
   return text;
+}
+
+visualization_msgs::MarkerArray corridor_markers(const std::vector<Corridor>& corridors, const Pose& around,
+                                                 const std_msgs::Header& header)
+{
+  visualization_msgs::MarkerArray array;
+  array.markers = {corridor_marker("front_corridor", corridors, &Corridor::front, around, header),
+                   corridor_marker("rear_corridor", corridors, &Corridor::rear, around, header)};
+  return array;
 }
 
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header)

@@ -87,6 +87,7 @@ GlobalPlannerOptions options_from(KeyReader& reader)
   options.start_from = start_from(reader.text("start_from"));
   options.modes = modes(reader.text("modes"));
   options.show_expansions = reader.flag("show_expansions");
+  options.show_corridors = reader.flag("show_corridors");
   return options;
 }
 

@@ -11,8 +11,20 @@ namespace fourwis
 
 using fourwis_navigation::PlannerStatus;
 
-PlannerTopics::PlannerTopics(const std::string& global_frame, const Robot& robot, bool show_expansions)
-  : global_frame_(global_frame), robot_(robot), show_expansions_(show_expansions)
+std::vector<std::string> status_topics()
+{
+  const ros::NodeHandle own("~"), action("move_base");
+  std::vector<std::string> topics = {own.resolveName("planner_status")};
+  const std::string wanted = own.resolveName("status");
+  if (wanted != action.resolveName("status")) topics.push_back(wanted);
+  return topics;
+}
+
+PlannerTopics::PlannerTopics(const GlobalPlannerOptions& options, const Robot& robot)
+  : global_frame_(options.global_frame),
+    robot_(robot),
+    show_expansions_(options.show_expansions),
+    show_corridors_(options.show_corridors)
 {
   ros::NodeHandle node, private_node("~");
   trajectory_ = node.advertise<fourwis_navigation::ModeTrajectory>("trajectory", 10, true);
@@ -20,8 +32,7 @@ PlannerTopics::PlannerTopics(const std::string& global_frame, const Robot& robot
   frontend_plan_ = private_node.advertise<nav_msgs::Path>("frontend_plan", 10, true);
   marker_ = private_node.advertise<visualization_msgs::MarkerArray>("markers", 10, true);
   corridors_ = private_node.advertise<visualization_msgs::MarkerArray>("corridors", 10, true);
-  // Not `~status`: in a node called move_base that is the action's.
-  status_ = private_node.advertise<PlannerStatus>("planner_status", 100, true);
+  for (const std::string& topic : status_topics()) status_.push_back(node.advertise<PlannerStatus>(topic, 100, true));
 
   PlannerStatus idle = status(PlannerStatus::IDLE, {});
   idle.status = "idle";
@@ -97,6 +108,7 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer)
   plan_.publish(to_path_message(answer.result.trajectory, now));
   frontend_plan_.publish(to_path_message(robot_, answer.result.path, now));
   marker_.publish(markers_);
+  if (show_corridors_) corridors_.publish(corridor_markers(answer.trace.corridors, answer.request.start, now));
 }
 
 void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)
@@ -127,7 +139,7 @@ void PlannerTopics::publish_status(const PlannerStatus& status)
     ROS_INFO("%s: %s", status.status.c_str(), status.message.c_str());
   const std::lock_guard<std::mutex> lock(mutex_);
   last_status_ = status;
-  status_.publish(status);
+  for (const ros::Publisher& topic : status_) topic.publish(status);
 }
 
 }  // namespace fourwis

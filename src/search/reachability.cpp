@@ -11,7 +11,7 @@ namespace fourwis
 namespace
 {
 
-constexpr int kInterruptInterval = 1024;    ///< cells flooded between two looks at the interrupt
+constexpr int kInterruptInterval = 128;    ///< cells flooded between two looks at the interrupt
 
 /// One of the two floods; visits cells of least `guide` first.
 class Flood

@@ -23,6 +23,13 @@ bool is_within_travel(const Range& range, double max_angle)
   return lowest + (range.high - range.low) <= max_angle;
 }
 
+/// Adds `turns` half turns to the angle of a piece without changing its motion.
+void turn(PathPiece& piece, double turns)
+{
+  piece.phi += turns * M_PI;
+  if (std::remainder(turns, 2.0) != 0.0) piece.length = -piece.length;
+}
+
 /// Between two angles equally near the smaller turn is chosen, in spite of rounding.
 constexpr double kRounding = 1e-9;
 
@@ -44,11 +51,12 @@ void keep_angle_near(std::vector<PathPiece>& pieces, double max_angle)
   for (std::size_t i = 1; i < pieces.size(); ++i)
   {
     PathPiece& piece = pieces[i];
-    const double turns = half_turns(pieces[i - 1].phi, piece.phi, range, max_angle);
-    piece.phi += turns * M_PI;
-    if (std::remainder(turns, 2.0) != 0.0) piece.length = -piece.length;
+    turn(piece, half_turns(pieces[i - 1].phi, piece.phi, range, max_angle));
     range = range.with(piece.phi);
   }
+  // The whole range in the middle of the travel, as far as half turns bring it there.
+  const double turns = -std::round((range.low + range.high) / (2.0 * M_PI));
+  for (PathPiece& piece : pieces) turn(piece, turns);
 }
 
 }  // namespace fourwis

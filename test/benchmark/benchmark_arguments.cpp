@@ -5,7 +5,7 @@
 
 #include <boost/program_options.hpp>
 
-#include "fourwis_navigation/parameters/parameters.h"
+#include "setup_arguments.h"
 
 namespace po = boost::program_options;
 
@@ -30,38 +30,8 @@ po::options_description options()
       "with --barn: also write its maps and problems to an existing folder");
   add("map", po::value<Files>()->composing(), "a map_server YAML for --corner-to-corner; may be repeated");
   add("corner-to-corner", "plan across the maps of --map");
-  add("runs", po::value<int>()->default_value(20), "runs of each problem");
-  add("modes", po::value<std::string>()->default_value("ackermann,lateral,parallel"), "modes to plan in");
-  add("robot", po::value<std::string>()->default_value(""), "robot.yaml instead of the paper's robot");
-  add("planner", po::value<std::string>()->default_value(""), "planner.yaml instead of the defaults");
-  add("markdown", "print tables for a Markdown file");
+  add_setup_options(all);
   return all;
-}
-
-ModeSet modes_in(const std::string& text)
-{
-  ModeSet modes = ModeSet::none();
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');)
-  {
-    const std::optional<Mode> mode = mode_from_string(word);
-    if (!mode) throw std::runtime_error("--modes: '" + word + "' is none of ackermann, lateral, parallel");
-    modes.insert(*mode);
-  }
-  if (modes.empty()) throw std::runtime_error("--modes: expected at least one mode");
-  return modes;
-}
-
-Setup setup_in(const po::variables_map& given)
-{
-  Setup setup;
-  const std::string robot = given["robot"].as<std::string>(), planner = given["planner"].as<std::string>();
-  if (!robot.empty()) setup.robot = read_robot_file(robot);
-  if (!planner.empty()) setup.options = read_planner_file(planner);
-  setup.modes = modes_in(given["modes"].as<std::string>());
-  setup.runs = given["runs"].as<int>();
-  if (setup.runs < 1) throw std::runtime_error("--runs: expected at least 1");
-  return setup;
 }
 
 void check(const Arguments& arguments)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Setup
   PlannerOptions options;
   ModeSet modes;
   int runs = 20;
+  bool frontend_only = false;  ///< one search and no optimisation
   bool frontend_only = true;  ///< without the back end
 };
 
@@ -23,8 +25,12 @@ struct Setup
 struct Measurement
 {
   PlanResult result;                ///< the same in each run
-  std::vector<double> frontend_ms;  ///< from the grid to the path and its speed profile, obstacle map included
-  std::vector<double> verify_ms;
+  std::vector<double> frontend_ms;  ///< from the grid to the paths, obstacle map included
+  std::vector<double> backend_ms, verify_ms;
+  std::vector<double> total_ms;  ///< CT: from the grid to the verified trajectory
+  std::vector<double> map_ms;      ///< of frontend_ms, the obstacle map
+  std::vector<double> backend_ms;  ///< corridors and optimisation
+  std::vector<double> cpu_ms;      ///< from the grid to the verified trajectory, CPU time of all threads
 };
 
 /// Plans `setup.runs` times from the grid, keeping nothing between runs. Throws std::logic_error when two runs differ in
@@ -33,5 +39,8 @@ Measurement measure(const Setup& setup, const OccupancyGrid& grid, const Pose& s
 
 /// Milliseconds since.
 double ms_since(std::chrono::steady_clock::time_point begin);
+
+/// CPU time that all threads of this process have used so far [ms].
+double cpu_ms();
 
 }  // namespace fourwis::benchmark

@@ -71,6 +71,13 @@ public:
     return static_cast<std::size_t>(found - names_.begin());
   }
 
+  /// kUnknown where there is no such column, or no number in it.
+  double number(const std::vector<std::string>& cells, const std::string& name) const
+  {
+    const std::optional<std::size_t> column = find(name);
+    return column ? number_in(cells[*column]).value_or(kUnknown) : kUnknown;
+  }
+
 private:
   std::vector<std::string> names_;
 };
@@ -84,7 +91,7 @@ std::vector<Problem> read_problems(const std::string& path)
   if (!std::getline(file, line)) throw std::runtime_error(path + ": cannot be read, expected a file of problems");
   const Columns columns(line);
   const auto id = columns.find("id"), map = columns.find("map"), start = columns.find("start"),
-             goal = columns.find("goal"), peer = columns.find("peer_frontend_cpu_ms");
+             goal = columns.find("goal");
   if (!id || !map || !start || !goal) throw std::runtime_error(path + ":1: expected the columns id;map;start;goal");
 
   std::vector<Problem> problems;
@@ -99,7 +106,10 @@ std::vector<Problem> read_problems(const std::string& path)
     problem.map = cells[*map].front() == '/' ? cells[*map] : folder_of(path) + cells[*map];
     problem.start = pose_in(cells[*start], where);
     problem.goal = pose_in(cells[*goal], where);
-    if (peer) problem.peer_ms = number_in(cells[*peer]).value_or(problem.peer_ms);
+    problem.peer_ms = columns.number(cells, "peer_frontend_cpu_ms");
+    problem.peer_backend_ms = columns.number(cells, "peer_backend_cpu_ms");
+    problem.peer_arrival_time = columns.number(cells, "peer_AT_s");
+    problem.peer_length = columns.number(cells, "peer_TL_m");
     problems.push_back(problem);
   }
   return problems;

@@ -10,17 +10,22 @@
 namespace fourwis::benchmark
 {
 
-/// One line of a file of planning problems.
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// One line of a file of planning problems, with what it says of another planner; kUnknown where it says nothing.
 struct Problem
 {
   std::string id;
   std::string map;  ///< YAML, as seen from the working directory
   Pose start, goal;
-  double peer_ms = std::numeric_limits<double>::quiet_NaN();  ///< another planner's front end; NaN where unknown
+  double peer_ms = kUnknown;            ///< front end, CPU time [ms]
+  double peer_backend_ms = kUnknown;    ///< back end, CPU time [ms]
+  double peer_arrival_time = kUnknown;  ///< AT [s]
+  double peer_length = kUnknown;        ///< TL [m]
 };
 
-/// Reads `id;map;start;goal` and, where the file has it, `peer_frontend_cpu_ms`; the columns are found by the header. Maps
-/// are relative to the file. Throws std::runtime_error naming file, line and what was expected.
+/// Reads `id;map;start;goal` and, where the file has them, `peer_frontend_cpu_ms`, `peer_backend_cpu_ms`, `peer_AT_s` and
+/// `peer_TL_m`; the columns are found by the header. Maps are relative to the file. Throws std::runtime_error naming file, line and what was expected.
 std::vector<Problem> read_problems(const std::string& path);
 
 /// The inverse: writes `id;map;start;goal`, the maps as they are. Throws std::runtime_error.

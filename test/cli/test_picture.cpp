@@ -170,11 +170,12 @@ PlanResult plan_in_all_modes(const Robot& robot, const Pose& start)
   return result;
 }
 
-std::string drawn(const OccupancyGrid& grid, const PlanResult& result, const Pose& start, const Pose& goal)
+std::string drawn(const OccupancyGrid& grid, const PlanResult& result, const Pose& start, const Pose& goal,
+                  const std::vector<Corridor>& corridors = {})
 {
   const Robot robot;
   std::ostringstream svg;
-  write_svg(svg, {grid, ObstacleRule(), robot, start, goal, result});
+  write_svg(svg, {grid, ObstacleRule(), robot, start, goal, result, corridors});
   return svg.str();
 }
 
@@ -267,6 +268,49 @@ TEST(Picture, CellsAndPosesAgreeOnATurnedGrid)
   ASSERT_EQ(std::sscanf(svg.c_str() + at, "class=\"switch\" cx=\"%lf\" cy=\"%lf\"", &cx, &cy), 2);
   EXPECT_NEAR(cx, x, 0.05);
   EXPECT_NEAR(cy, y, 0.05);
+}
+
+/// The half-planes of a rectangle.
+Polytope region(double x_min, double y_min, double x_max, double y_max)
+{
+  return {{-1, 0, -x_min}, {0, -1, -y_min}, {1, 0, x_max}, {0, 1, y_max}};
+}
+
+TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
+{
+  const OccupancyGrid grid{40, 20, 0.1, {3.0, -1.0, 0.0}, std::vector<std::int8_t>(800, 0)};
+  const Pose pose{5.0, 0.0, 0.0};
+  const std::vector<Corridor> corridors = {
+    {{region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}, {region(3.5, 0, 4, 0.25)}},
+    {{region(6, 0, 6.5, 0.5)}, {}}};
+  const std::string svg = drawn(grid, plan_in_all_modes(Robot(), pose), pose, pose, corridors);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_EQ(count(svg, ">corridors<"), 1u);
+
+  const auto data_of = [&](const std::string& disc)
+  {
+    const std::string begin = "class=\"corridor " + disc + "\" d=\"";
+    const std::size_t at = svg.find(begin) + begin.size();
+    return svg.substr(at, svg.find('"', at) - at);
+  };
+  EXPECT_EQ(count(data_of("front"), "M"), 3u);
+  EXPECT_LT(svg.find("class=\"corridor"), svg.find("class=\"footprints"));
+
+  // The cell (5, 10) has its lower left corner at (3.5, 0).
+  const std::vector<double> m = matrix_in(svg);
+  double x = 0.0, y = 0.0, right = 0.0, top = 0.0;
+  ASSERT_EQ(std::sscanf(data_of("rear").c_str(), "M%lf,%lfL%*f,%*fL%lf,%lfL", &x, &y, &right, &top), 4)
+      << data_of("rear");
+  EXPECT_NEAR(std::min(x, right), m[0] * 5 + m[4], 0.05);
+  EXPECT_NEAR(std::max(x, right), m[0] * 10 + m[4], 0.05);
+  EXPECT_NEAR(std::max(y, top), m[3] * 10 + m[5], 0.05);
+  EXPECT_NEAR(std::min(y, top), m[3] * 12.5 + m[5], 0.05);
+}
+
+TEST(Picture, WithoutCorridorsDoesNotMentionThem)
+{
+  const OccupancyGrid grid{40, 20, 0.1, {}, std::vector<std::int8_t>(800, 0)};
+  EXPECT_EQ(count(drawn(grid, plan_in_all_modes(Robot(), {}), {}, {}), "corridor"), 0u);
 }
 
 }  // namespace

@@ -130,6 +130,29 @@ TEST_F(PlanCommand, OnlyTheModesAskedForAreUsed)
   for (const json& point : document["points"]) EXPECT_EQ(point["mode"], "ackermann");
 }
 
+TEST_F(PlanCommand, FrontendOnlyIsNotOptimisedAndStopsMoreOften)
+{
+  const json optimised = json::parse(run(easy() + Words{"--json", "-"}).out);
+  const json front_end = json::parse(run(easy() + Words{"--json", "-", "--frontend-only"}).out);
+  EXPECT_GT(optimised["metrics"]["ipopt_iterations"], 0);
+  EXPECT_EQ(front_end["metrics"]["ipopt_iterations"], 0);
+  EXPECT_EQ(front_end["metrics"]["outer_iterations"], 0);
+  EXPECT_EQ(front_end["metrics"]["SF"], true);
+  EXPECT_GT(front_end["metrics"]["AT"], optimised["metrics"]["AT"]);
+}
+
+TEST_F(PlanCommand, CorridorsAreDrawnWhenAskedForAndChangeNothingElse)
+{
+  const Words files = {"--svg", path("p.svg"), "--csv", path("p.csv")};
+  ASSERT_EQ(run(easy() + files).status, 0);
+  const std::string csv = content_of(path("p.csv"));
+  EXPECT_EQ(content_of(path("p.svg")).find("class=\"corridor"), std::string::npos);
+  ASSERT_EQ(run(easy() + files + Words{"--corridors"}).status, 0);
+  EXPECT_EQ(content_of(path("p.csv")), csv);
+  for (const std::string disc : {"front", "rear"})
+    EXPECT_NE(content_of(path("p.svg")).find("class=\"corridor " + disc + "\" d=\"M"), std::string::npos) << disc;
+}
+
 TEST_F(PlanCommand, RepeatedPlansAreTheSamePlan)
 {
   json once = json::parse(run(easy() + Words{"--json", "-"}).out);

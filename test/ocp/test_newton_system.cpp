@@ -7,59 +7,24 @@
 #include <Eigen/Dense>
 
 #include "fourwis_navigation/ocp/options.h"
-#include "fourwis_navigation/ocp/start.h"
-#include "random_problem.h"
+#include "random_point.h"
 
 namespace fourwis::ocp
 {
 namespace
 {
 
-constexpr int NX = 4, NU = 2, NR = 5, NZ = NX + NU;
-using Model = RandomModel<NX, NU, NR>;
-using Point = Iterate<NX, NU>;
-using Limits = Constraints<NX, NU>;
+constexpr int NX = RandomPoint::NX, NU = RandomPoint::NU, NR = RandomPoint::NR, NZ = RandomPoint::NZ;
+using Model = RandomPoint::Model;
+using Point = RandomPoint::Point;
 
-/// A random problem at a random point inside of its bounds.
-struct Scene
+/// The optimality conditions of the barrier problem, the terminal condition regularised around the point's nu.
+struct Conditions : RandomPoint
 {
-  Random random;
-  int intervals;
-  Model model;
-  Limits limits;
-  Point point;
   double mu = 0.07;
   double delta;  ///< regularisation of the terminal condition
 
-  Scene(unsigned seed, double delta_of_terminal)
-    : random(seed), intervals(5), model(intervals, 4.0, 0.1, random), delta(delta_of_terminal)
-  {
-    limits.set(random_problem(model, Model::kMostRows, random));
-    point.resize(intervals + 1, limits.rows.size());
-    for (int k = 0; k <= intervals; ++k) set(k);
-    for (std::size_t i = 0; i < limits.rows.size(); ++i)
-    {
-      const double weight = limits.rows[i].weight, y = 2.0 + random();
-      point.rows[i] = {2.0 + random(), std::isfinite(weight) ? 2.0 + random() : 0.0, y, weight - y};
-    }
-    for (int i = 0; i < NX; ++i) point.nu[i] = limits.fixed[i] ? random() : 0.0;
-  }
-
-  void set(int k)
-  {
-    auto& stage = point.stages[k];
-    stage.z = random.matrix<NZ, 1>();
-    if (k == 0) stage.z.head<NX>() = limits.initial_state;
-    if (k == intervals) stage.z.tail<NU>().setZero();
-    for (int i = 0; i < NZ; ++i)
-      stage.z[i] = detail::moved_inside(stage.z[i], limits.bounds[k].lower[i], limits.bounds[k].upper[i], 0.1);
-    stage.lambda = random.matrix<NX, 1>();
-    for (int i = 0; i < NZ; ++i)
-    {
-      stage.lower[i] = limits.bounds[k].lower[i] > -kInfinity ? 2.0 + random() : 0.0;
-      stage.upper[i] = limits.bounds[k].upper[i] < kInfinity ? 2.0 + random() : 0.0;
-    }
-  }
+  Conditions(unsigned seed, double delta_of_terminal) : RandomPoint(seed), delta(delta_of_terminal) {}
 
   /// The scalars that a step may change, in a fixed order.
   std::vector<double*> unknowns(Point& at) const
@@ -89,24 +54,7 @@ struct Scene
     return result;
   }
 
-  Values<NX> values(const Point& at) const
-  {
-    Values<NX> result;
-    result.resize(intervals, limits.rows.size());
-    evaluate(model, limits, at, result);
-    return result;
-  }
-
-  Derivatives<Model> derivatives(const Point& at) const
-  {
-    Derivatives<Model> result;
-    result.resize(intervals + 1, limits.rows.size());
-    std::vector<double> y(limits.rows.size());
-    differentiate(model, limits, at, y, result);
-    return result;
-  }
-
-  /// What is zero at the solution of the barrier problem, the terminal condition regularised around this point's nu.
+  /// All that is zero at the solution.
   Eigen::VectorXd conditions(const Point& at) const
   {
     const Values<NX> value = values(at);
@@ -179,14 +127,13 @@ struct Scene
 /// Greatest difference between the structured and the dense step.
 double step_error(unsigned seed, double delta)
 {
-  Scene scene(seed, delta);
+  const Conditions scene(seed, delta);
   const Derivatives<Model> derivatives = scene.derivatives(scene.point);
   NewtonSystem<Model> newton;
   newton.resize(scene.intervals + 1, scene.limits.rows.size());
   newton.assemble(scene.limits, scene.point, derivatives, scene.mu, delta);
   EXPECT_TRUE(newton.factorize(0.0));
-  Point step;
-  step.resize(scene.intervals + 1, scene.limits.rows.size());
+  Point step = scene.new_point();
   newton.solve(scene.values(scene.point).residuals, step);
 
   const Eigen::VectorXd dense = scene.jacobian().fullPivLu().solve(-scene.conditions(scene.point));

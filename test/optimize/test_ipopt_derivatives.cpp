@@ -22,9 +22,10 @@ struct Peculiar : ocp::ModelBase<2, 1, 3>
     const double c = (k + 1) * std::cos(x[0] * u[0]), s = (k + 1) * std::sin(x[0] * u[0]), e = std::exp(u[0]);
     d.gradient << u[0] * c, 2.0 * x[1], x[0] * c;
     d.jacobian << e, 0.0, x[0] * e, x[1] * u[0], x[0] * u[0], x[0] * x[1];
-    d.hessian << -u[0] * u[0] * s, lambda[1] * u[0], c - x[0] * u[0] * s + lambda[0] * e + lambda[1] * x[1],
-        lambda[1] * u[0], 2.0, lambda[1] * x[0],
-        c - x[0] * u[0] * s + lambda[0] * e + lambda[1] * x[1], lambda[1] * x[0], -x[0] * x[0] * s + lambda[0] * x[0] * e;
+    const double mixed = c - x[0] * u[0] * s + lambda[0] * e + lambda[1] * x[1];
+    d.hessian << -u[0] * u[0] * s, lambda[1] * u[0], mixed,  //
+        lambda[1] * u[0], 2.0, lambda[1] * x[0],             //
+        mixed, lambda[1] * x[0], -x[0] * x[0] * s + lambda[0] * x[0] * e;
   }
   double terminal_cost(const State& x) const { return x[0] * x[0] * x[1]; }
   void differentiate_terminal(const State& x, Terminal& terminal) const

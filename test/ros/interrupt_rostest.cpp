@@ -73,9 +73,9 @@ TEST_F(Interrupt, a_new_goal_interrupts_the_plan_that_runs)
 
 TEST_F(Interrupt, cancel_ends_the_plan_that_runs_and_the_last_good_one_stays)
 {
+  const ros::Time before = ros::Time::now();
   send_goal(kEasy);
-  ASSERT_TRUE(wait_for_status("succeeded", kEasy));
-  const auto published = latched_trajectory();
+  const auto published = wait_for_trajectory_since(before);
   ASSERT_TRUE(published);
   begin_long_plan();
   EXPECT_TRUE(cancel().success);

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <octomap/OcTree.h>
 
 #include "fourwis_navigation/map/map_file.h"
@@ -22,13 +23,18 @@ void set_parameters(const std::string& name, const ParameterMap& parameters)
     std::visit([path = name + '/' + key](const auto& plain) { ros::param::set(path, plain); }, value);
 }
 
+void set_shipped_parameters(const std::string& name)
+{
+  ros::param::del(name);
+  set_parameters(name, read_parameter_file(kConfig + "global_planner.yaml"));
+  set_parameters(name + "/robot", read_parameter_file(kConfig + "robot.yaml"));
+  set_parameters(name + "/planner", read_parameter_file(kConfig + "planner.yaml"));
+}
+
 /// Starts the planner with the shipped files and these parameters beside them, and expects it to refuse them.
 void expect_refused(const ParameterMap& parameters, const std::vector<std::string>& said)
 {
-  ros::param::del("/refused");
-  set_parameters("/refused", read_parameter_file(kConfig + "global_planner.yaml"));
-  set_parameters("/refused/robot", read_parameter_file(kConfig + "robot.yaml"));
-  set_parameters("/refused/planner", read_parameter_file(kConfig + "planner.yaml"));
+  set_shipped_parameters("/refused");
   set_parameters("/refused", parameters);
   NodeProcess node("global_planner_node", {"__name:=refused"});
   const std::string output = node.read_to_end();
@@ -89,6 +95,38 @@ TEST(GlobalPlannerNode, a_missing_parameter_stops_it_by_name)
   set_parameters("/bare", read_parameter_file(kConfig + "global_planner.yaml"));
   expect_ends_with("global_planner_node", {"__name:=bare"}, "wheelbase");
   expect_ends_with("global_planner_node", {"__name:=naked"}, "missing parameter 'global_frame'");
+}
+
+/// What a latched topic says to somebody who comes when the node already runs; null when it has another type.
+template <class Message>
+boost::shared_ptr<const Message> said_on(const std::string& topic)
+{
+  return Inbox<Message>(topic).wait_for_any();
+}
+
+TEST(GlobalPlannerNode, tells_its_status_on_both_topics_where_the_name_is_not_the_actions)
+{
+  set_shipped_parameters("/planner");
+  NodeProcess node("global_planner_node", {"__name:=planner"});
+  for (const std::string topic : {"/planner/planner_status", "/planner/status"})
+  {
+    const auto status = said_on<PlannerStatus>(topic);
+    ASSERT_TRUE(status) << topic;
+    EXPECT_EQ(status->status, "idle") << topic;
+  }
+  EXPECT_TRUE(said_on<actionlib_msgs::GoalStatusArray>("/move_base/status"));
+}
+
+TEST(GlobalPlannerNode, leaves_its_status_to_the_action_of_the_same_name)
+{
+  set_shipped_parameters("/move_base");
+  NodeProcess node("global_planner_node", {"__name:=move_base"});
+  EXPECT_TRUE(said_on<PlannerStatus>("/move_base/planner_status"));
+  EXPECT_TRUE(said_on<actionlib_msgs::GoalStatusArray>("/move_base/status"));
+  ros::master::V_TopicInfo topics;
+  ASSERT_TRUE(ros::master::getTopics(topics));
+  for (const ros::master::TopicInfo& topic : topics)
+    if (topic.name == "/move_base/status") EXPECT_EQ(topic.datatype, "actionlib_msgs/GoalStatusArray");
 }
 
 TEST(MapPublisherNode, publishes_latched_what_the_file_says)

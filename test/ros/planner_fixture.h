@@ -146,6 +146,13 @@ protected:
       });
   }
 
+  /// The first trajectory published at `time` or later. It comes on a connection of its own: the status that tells of
+  /// it may be here before.
+  Inbox<ModeTrajectory>::Pointer wait_for_trajectory_since(const ros::Time& time)
+  {
+    return trajectories_.wait_for([&](const ModeTrajectory& t) { return t.header.stamp >= time; });
+  }
+
   /// The trajectory that is published now, as somebody sees it who comes late.
   static Inbox<ModeTrajectory>::Pointer latched_trajectory()
   {

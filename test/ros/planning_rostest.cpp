@@ -81,23 +81,34 @@ TEST_F(Planning, a_goal_on_the_topic_gives_a_trajectory_and_says_so)
 TEST_F(Planning, the_plan_and_its_picture_reach_those_who_come_late)
 {
   const Pose goal{8, 2, 0.0};
+  const ros::Time before = ros::Time::now();
   send_goal(goal);
-  ASSERT_TRUE(wait_for_status("succeeded", goal));
+  const auto trajectory = wait_for_trajectory_since(before);
+  ASSERT_TRUE(trajectory);
   Inbox<nav_msgs::Path> plan("move_base/plan"), front_end("move_base/frontend_plan");
-  Inbox<visualization_msgs::MarkerArray> markers("move_base/markers");
+  Inbox<visualization_msgs::MarkerArray> markers("move_base/markers"), corridors("move_base/corridors");
+  const auto is_new = [&](const auto& message) { return message.header.stamp >= before; };
   for (Inbox<nav_msgs::Path>* inbox : {&plan, &front_end})
   {
-    const auto path = inbox->wait_for_any();
+    const auto path = inbox->wait_for(is_new);
     ASSERT_TRUE(path);
     EXPECT_EQ(path->header.frame_id, "map");
     ASSERT_FALSE(path->poses.empty());
     EXPECT_NEAR(path->poses.back().pose.position.x, goal.x, 1e-3);
   }
-  const auto array = markers.wait_for_any();
+  // `plan` is the trajectory, unlike `frontend_plan`.
+  const auto poses = plan.wait_for(is_new)->poses;
+  ASSERT_EQ(poses.size(), trajectory->points.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_EQ(poses[i].pose.position.x, trajectory->points[i].x);
+  const auto shows_it = [&](const visualization_msgs::MarkerArray& a) { return is_new(a.markers.front()); };
+  const auto array = markers.wait_for(shows_it);
   ASSERT_TRUE(array);
   std::set<std::string> names;
   for (const auto& marker : array->markers) names.insert(marker.ns);
   EXPECT_EQ(names, (std::set<std::string>{"path", "footprints", "switches", "start", "goal", "failure"}));
+  const auto regions = corridors.wait_for(shows_it);
+  ASSERT_TRUE(regions);
+  for (const auto& marker : regions->markers) EXPECT_FALSE(marker.points.empty()) << marker.ns;
 }
 
 TEST_F(Planning, staying_where_it_is_is_a_plan)
@@ -109,7 +120,7 @@ TEST_F(Planning, staying_where_it_is_is_a_plan)
 TEST_F(Planning, make_plan_answers_without_publishing_a_plan)
 {
   send_goal(Pose{3, 4, 0});
-  ASSERT_TRUE(wait_for_status("succeeded", {3, 4, 0}));
+  ASSERT_TRUE(wait_for_trajectory({3, 4, 0}));
   nav_msgs::GetPlan call;
   call.request.start = stamped({2, 8, 0});
   call.request.goal = stamped({8, 8, 0});

@@ -128,5 +128,50 @@ TEST(Markers, every_expanded_node_is_a_point)
   EXPECT_EQ(marker.points[1].y, 4.0);
 }
 
+/// The half-planes of a rectangle.
+Polytope region(double x_min, double y_min, double x_max, double y_max)
+{
+  return {{-1, 0, -x_min}, {0, -1, -y_min}, {1, 0, x_max}, {0, 1, y_max}};
+}
+
+/// Sum of the triangles' areas.
+double area(const Marker& triangles)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < triangles.points.size(); i += 3)
+  {
+    const auto &a = triangles.points[i], &b = triangles.points[i + 1], &c = triangles.points[i + 2];
+    sum += std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) / 2.0;
+  }
+  return sum;
+}
+
+TEST(Markers, corridors_are_translucent_and_cover_their_regions)
+{
+  const std::vector<Corridor> corridors = {{{region(0, 0, 1, 1), region(1, 0, 3, 2)}, {region(-1, 0, 0, 0.5)}},
+                                           {{region(3, 0, 4, 1)}, {region(0, 0, 0.5, 0.5)}}};
+  const MarkerArray array = corridor_markers(corridors, {0, 0, 0}, {});
+  ASSERT_EQ(array.markers.size(), 2u);
+  EXPECT_NEAR(area(named(array, "front_corridor")), 6.0, 1e-6);
+  EXPECT_NEAR(area(named(array, "rear_corridor")), 0.75, 1e-6);
+  for (const Marker& marker : array.markers)
+  {
+    EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
+    EXPECT_EQ(marker.points.size() % 3, 0u);
+    EXPECT_GT(marker.color.a, 0.0);
+    EXPECT_LT(marker.color.a, 0.2);
+    for (const auto& corner : marker.points)
+    {
+      EXPECT_TRUE(corner.x >= -1.0 - 1e-6 && corner.x <= 4.0 + 1e-6) << corner.x;
+      EXPECT_TRUE(corner.y >= -1e-6 && corner.y <= 2.0 + 1e-6) << corner.y;
+    }
+  }
+}
+
+TEST(Markers, a_plan_without_corridors_removes_those_drawn_before)
+{
+  for (const Marker& marker : corridor_markers({}, {}, {}).markers) EXPECT_EQ(marker.action, Marker::DELETE);
+}
+
 }  // namespace
 }  // namespace fourwis

@@ -43,6 +43,7 @@ TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
   EXPECT_EQ(options.start_from, defaults.start_from);
   EXPECT_TRUE(options.modes.ackermann && options.modes.lateral && options.modes.parallel);
   EXPECT_EQ(options.show_expansions, defaults.show_expansions);
+  EXPECT_EQ(options.show_corridors, defaults.show_corridors);
 }
 
 TEST(NodeParameters, each_key_sets_what_it_names)
@@ -54,6 +55,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   parameters["start_from"] = std::string("initialpose");
   parameters["modes"] = std::string("parallel,ackermann");
   parameters["show_expansions"] = true;
+  parameters["show_corridors"] = true;
   parameters["robot/length"] = 1.25;
   parameters["planner/planner_patience"] = 7.0;
   const GlobalPlannerParameters read = global_planner_parameters_from(parameters);
@@ -63,6 +65,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.node.start_from, StartFrom::initial_pose);
   EXPECT_TRUE(read.node.modes.ackermann && !read.node.modes.lateral && read.node.modes.parallel);
   EXPECT_TRUE(read.node.show_expansions);
+  EXPECT_TRUE(read.node.show_corridors);
   EXPECT_EQ(read.robot.length, 1.25);
   EXPECT_EQ(read.planner.planner_patience, 7.0);
 }
@@ -96,6 +99,7 @@ TEST(NodeParameters, a_value_out_of_range_or_of_another_type_is_refused_with_wha
   EXPECT_TRUE(says(error_with("modes", std::string("ackermann,sideways")), "ackermann, lateral and parallel"));
   EXPECT_TRUE(says(error_with("modes", std::string("")), "ackermann, lateral and parallel"));
   EXPECT_TRUE(says(error_with("show_expansions", 1.0), "true or false"));
+  EXPECT_TRUE(says(error_with("show_corridors", std::string("yes")), "true or false"));
   EXPECT_TRUE(says(error_with("global_frame", std::string("")), "name of a tf frame"));
   EXPECT_TRUE(says(error_with("robot_base_frame", std::string("/base_link")), "without a leading slash"));
   EXPECT_TRUE(says(error_with("robot/length", -1.0), "'length' is -1"));

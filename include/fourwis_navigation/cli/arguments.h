@@ -22,6 +22,7 @@ struct PlanArguments
   std::string planner;  ///< planner.yaml; the defaults of PlannerOptions when empty
   ModeSet modes;
   bool frontend_only = false;  ///< stop after the front end's own trajectory
+  bool corridors = false;      ///< draw the corridors in the SVG
   int repeat = 1;              ///< plan so many times and report the medians of the times
   std::string json;            ///< "-" is the standard output
   std::string csv;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <ostream>
+#include <vector>
 
+#include "fourwis_navigation/model/corridor.h"
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/occupancy_grid.h"
 #include "fourwis_navigation/model/plan.h"
@@ -22,9 +24,11 @@ struct PlanPicture
   const Robot& robot;
   Pose start, goal;  ///< map frame
   const PlanResult& result;
+  std::vector<Corridor> corridors = {};  ///< drawn lightly below the plan
 };
 
-/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches and a legend.
+/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches, corridors where there are any,
+/// and a legend.
 /// Where there is no trajectory it shows the question and says why.
 void write_svg(std::ostream& out, const PlanPicture& picture);
 

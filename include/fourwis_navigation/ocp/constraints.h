@@ -26,6 +26,13 @@ struct Constraints
   bool is_given(int k, int i) const { return k == 0 || (k == intervals() && fixed[i]); }
 
   void set(const Problem<NX, NU>& problem);
+
+private:
+  void unbind(int k, int i)
+  {
+    bounds[k].lower[i] = -kInfinity;
+    bounds[k].upper[i] = kInfinity;
+  }
 };
 
 namespace detail
@@ -54,12 +61,9 @@ void Constraints<NX, NU>::set(const Problem<NX, NU>& problem)
   }
   const int last = intervals();
   for (int i = 0; i < NX; ++i)
-  {
-    if (is_given(0, i)) bounds[0].lower[i] = -kInfinity, bounds[0].upper[i] = kInfinity;
-    if (is_given(last, i)) bounds[last].lower[i] = -kInfinity, bounds[last].upper[i] = kInfinity;
-  }
-  bounds[last].lower.template tail<NU>().setConstant(-kInfinity);
-  bounds[last].upper.template tail<NU>().setConstant(kInfinity);
+    for (const int k : {0, last})
+      if (is_given(k, i)) unbind(k, i);
+  for (int i = NX; i < NX + NU; ++i) unbind(last, i);
 
   rows = problem.rows;
   for (RowLimit& row : rows) row.upper += detail::relaxation(row.upper);

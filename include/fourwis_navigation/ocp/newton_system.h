@@ -89,8 +89,12 @@ template <class Model>
 void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const Derivatives<Model>& derivatives, double mu,
                                    double delta, Aim aim)
 {
-  limits_ = &limits, at_ = &at, derivatives_ = &derivatives;
-  mu_ = mu, delta_ = delta, aim_ = aim;
+  limits_ = &limits;
+  at_ = &at;
+  derivatives_ = &derivatives;
+  mu_ = mu;
+  delta_ = delta;
+  aim_ = aim;
   for (int k = 0; k <= limits.intervals(); ++k)
   {
     const auto& variables = at.stages[k];

@@ -24,7 +24,7 @@ void check(const Options& options);
 enum class Status
 {
   solved,           ///< optimality error within `tolerance`
-  acceptable,       ///< no further progress, error within `acceptable_tolerance`
+  acceptable,       ///< no further progress or iterations, but error within `acceptable_tolerance`
   iteration_limit,  ///< the trajectory is the last iterate
   infeasible,       ///< the constraints' violation has a (local) minimum above zero
   stalled,          ///< no step makes progress, though the constraints are met

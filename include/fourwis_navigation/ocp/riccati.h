@@ -99,7 +99,7 @@ bool inverse_cholesky(const Matrix<N, N>& A, Matrix<N, N>& inverse_L)
       L(i, j) *= inverse_L(j, j);
       pivot -= L(i, j) * L(i, j);
     }
-    if (!(pivot > least_pivot)) return false;
+    if (!(pivot > least_pivot && pivot < kInfinity)) return false;
     inverse_L(i, i) = 1.0 / std::sqrt(pivot);
     for (int j = 0; j < i; ++j)
       for (int m = j; m < i; ++m) inverse_L(i, j) -= inverse_L(i, i) * L(i, m) * inverse_L(m, j);

@@ -59,8 +59,14 @@ struct Solution
 ///   problem.reset(20);
 ///   problem.terminal_state << 1, 0;
 ///   problem.terminal_fixed = {true, true};
-///   for (auto& bounds : problem.bounds) bounds.lower.tail<2>() << -2, 0.01, bounds.upper.tail<2>() << 2, 1;
-///   ocp::Trajectory<2, 2> guess{std::vector<Vector<2>>(21, {0, 0}), std::vector<Vector<2>>(20, {0, 0.1})};
+///   for (auto& bounds : problem.bounds)
+///   {
+///     bounds.lower.tail<2>() << -2, 0.01;
+///     bounds.upper.tail<2>() << 2, 1;
+///   }
+///   ocp::Trajectory<2, 2> guess;
+///   guess.states.assign(21, {0, 0});
+///   guess.controls.assign(20, {0, 0.1});
 ///   ocp::Solver<Shuttle> solver;
 ///   const auto& solution = solver.solve(Shuttle(), problem, guess);  // solution.statistics.cost = 2 sqrt(1 / 2)
 ///
@@ -99,6 +105,9 @@ private:
   std::optional<Status> advance();
   std::optional<Status> reduce_violation();
 
+  /// tau of the fraction-to-the-boundary rule.
+  double boundary_fraction() const { return std::max(0.99, 1.0 - mu_); }
+
   bool factorize();
   bool search_line();
   bool search_feasibility();
@@ -135,3 +144,4 @@ private:
 }  // namespace fourwis::ocp
 
 #include "fourwis_navigation/ocp/solver_implementation.h"
+#include "fourwis_navigation/ocp/solver_steps.h"

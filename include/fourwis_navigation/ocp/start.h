@@ -28,13 +28,15 @@ inline double starting_multiplier(double gap, double mu, double given)
   return given > 0.0 ? std::clamp(given, 1e-3 * central, 1e3 * central) : central;
 }
 
-/// The elastic row on the central path with g - c = `over`: from t y = mu, e (w - y) = mu and e - t = over,
-///   y = 2 mu w / (2 mu - over w + sqrt(4 mu^2 + over^2 w^2)), and w - y is the same for -over.
+/// The elastic row on the central path with g - c = `over`: t y = mu, e v = mu, y + v = w and e - t = over give
+///   min(y, v) = 2 mu w / (2 mu + |over| w + sqrt(4 mu^2 + over^2 w^2)),
+/// which is v if the row is exceeded.
 inline RowVariables central_elastic_row(double over, double weight, double mu)
 {
-  const double root = std::hypot(2.0 * mu, over * weight);
-  const double y = 2.0 * mu * weight / (2.0 * mu - over * weight + root);
-  const double v = 2.0 * mu * weight / (2.0 * mu + over * weight + root);
+  const double beyond = std::abs(over) * weight;
+  const double small = 2.0 * mu * weight / (2.0 * mu + beyond + std::hypot(2.0 * mu, beyond));
+  const double y = over > 0.0 ? weight - small : small;
+  const double v = over > 0.0 ? small : weight - small;
   return {mu / y, mu / v, y, v};
 }
 

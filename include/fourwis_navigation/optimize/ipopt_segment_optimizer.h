@@ -7,8 +7,8 @@
 namespace fourwis
 {
 
-/// SegmentOptimizer's problem, the very same, on Ipopt: slower, but another algorithm. The fallback where the structured
-/// solver gives up, and what tests compare it with. Solves of several threads wait for one another.
+/// SegmentOptimizer's problem, the very same, on Ipopt: slower, but another algorithm: what tests compare the
+/// structured solver with. Solves of several threads wait for one another.
 class IpoptSegmentOptimizer
 {
 public:

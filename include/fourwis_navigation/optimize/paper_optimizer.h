@@ -18,8 +18,8 @@ struct PaperOptions
   int max_iterations = 500;       ///< of Ipopt
 };
 
-/// What became of one solve. `points` begin at t = 0 and are the N + 1 knots, T/N apart; wherever the solver ended, they
-/// are its last iterate. None if the problem is invalid.
+/// What became of one solve. `points` begin at t = 0 and are the N + 1 knots, T/N apart; wherever the solver ended,
+/// they are its last iterate. None if the problem is invalid.
 struct PaperSolution
 {
   NlpStatus status = NlpStatus::invalid_problem;
@@ -30,8 +30,8 @@ struct PaperSolution
   double duration() const { return points.empty() ? 0.0 : points.back().t; }  ///< T [s]
 };
 
-/// The paper's eq. (26) for one segment, its formulation kept for comparison: with dt = T/N, states x = (x, y, theta, v,
-/// phi), controls u = (a, omega) and free disc centres p,
+/// The paper's eq. (26) for one segment, its formulation kept for comparison: with dt = T/N, states
+/// x = (x, y, theta, v, phi), controls u = (a, omega) and free disc centres p,
 ///   minimise    T + alpha sum_k (v_k omega_k)^2 dt + alpha_penalty psi,   psi = J_dyn + J_geom,
 ///               J_dyn  = sum_k |x_{k+1} - x_k - (f(x_k) + B u_k) dt|^2                      (Euler's rule, 0 <= k < N)
 ///               J_geom = sum_k (|p_k^f - O_f(x_k)|^2 + |p_k^r - O_r(x_k)|^2) dt             (0 < k < N)
@@ -39,16 +39,17 @@ struct PaperSolution
 ///               first and last pose and phi as in the reference, v = 0 at both.
 ///
 /// Departures, none of which moves the optimum:
-///  - the residuals d_k = x_{k+1} - ... and g_k = p_k - O(x_k) are variables (the lifted form): the weight 1e6 stands on
-///    their squares alone instead of on every product of derivatives, which Ipopt solves more often;
+///  - the residuals d_k = x_{k+1} - ... and g_k = p_k - O(x_k) are variables (the lifted form): the weight 1e6 stands
+///    on their squares alone instead of on every product of derivatives, which Ipopt solves more often;
 ///  - theta is continuous, and fixed at the end: the gradients of sin theta_N = s and cos theta_N = c are parallel, so
 ///    that the paper's pair of constraints is rank-deficient;
 ///  - no centres at the ends: poses are fixed there.
+/// Only the limits of C and of the equivalent wheel count, as in the paper, not those of the single wheels.
 class PaperOptimizer
 {
 public:
-  /// Keeps a reference to the robot. Throws std::invalid_argument naming the option, its value and the range, if one, or the
-  /// reference speed, is out of range.
+  /// Keeps a reference to the robot. Throws std::invalid_argument naming the option, its value and the range, if one,
+  /// or the reference speed, is out of range.
   PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed);
 
   /// Solves from the reference, driven in T = L / v_ref (21), or from `previous`, with as many points, where it is not

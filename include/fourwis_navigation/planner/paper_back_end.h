@@ -51,8 +51,8 @@ struct PaperRefinement
 /// The paper's section III-B as it stands, for comparison with refine(): the path is split at its switches (22); each
 /// segment goes through boxes around the current solution <-> the program (26), begun at that solution, until
 /// psi < 1e-6 or for 10 rounds; the parts are joined with t_switch in between (23). The steps are Euler's and boxes
-/// bind the knots only: that the referee accepts the trajectory is not promised. Throws std::invalid_argument naming the
-/// option, or the reference speed, if one is out of range, never on a path.
+/// bind the knots only: that the referee accepts the trajectory is not promised. Throws std::invalid_argument naming
+/// the option, or the reference speed, if one is out of range, never on a path.
 PaperRefinement refine_as_in_paper(const ObstacleRectangles& obstacles, const Robot& robot,
                                    const PaperBackEndOptions& options, double reference_speed, const Path& path,
                                    const Interrupt& interrupt);

@@ -28,6 +28,7 @@ struct GlobalPlannerOptions
   StartFrom start_from = StartFrom::tf;
   ModeSet modes;                               ///< what goals are planned with
   bool show_expansions = false;                ///< draw the nodes that the search expanded
+  bool show_corridors = false;                 ///< draw the regions that the optimisation kept the disc centres in
 };
 
 /// Everything that global_planner_node is configured with.

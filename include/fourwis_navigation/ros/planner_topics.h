@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/node_handle.h>
@@ -10,16 +11,21 @@
 
 #include "fourwis_navigation/PlannerStatus.h"
 #include "fourwis_navigation/ros/map_planner.h"
+#include "fourwis_navigation/ros/node_parameters.h"
 
 namespace fourwis
 {
+
+/// Names of the topics for the planner's status, resolved: always `~planner_status`, and the design's `~status` unless
+/// that is the status topic of the action `move_base`, as it is in a node of that name.
+std::vector<std::string> status_topics();
 
 /// Everything the planner publishes, all of it latched. Only a succeeded plan replaces the one published before;
 /// failures show in the status. Safe to use from several threads at once.
 class PlannerTopics
 {
 public:
-  PlannerTopics(const std::string& global_frame, const Robot& robot, bool show_expansions);
+  PlannerTopics(const GlobalPlannerOptions& options, const Robot& robot);
 
   void publish_planning(const geometry_msgs::PoseStamped& goal);
   /// Plan and status for an answer to `goal`.
@@ -40,11 +46,12 @@ private:
 
   const std::string global_frame_;
   const Robot robot_;
-  const bool show_expansions_;
+  const bool show_expansions_, show_corridors_;
   mutable std::mutex mutex_;
   fourwis_navigation::PlannerStatus last_status_;
   visualization_msgs::MarkerArray markers_;  ///< of the last plan that succeeded
-  ros::Publisher trajectory_, plan_, frontend_plan_, marker_, corridors_, status_;
+  ros::Publisher trajectory_, plan_, frontend_plan_, marker_, corridors_;
+  std::vector<ros::Publisher> status_;
 };
 
 }  // namespace fourwis
