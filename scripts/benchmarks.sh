@@ -5,7 +5,10 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-[[ $# -ge 1 && -d $1/problems && -d $1/maps ]] || { echo "usage: $0 FOLDER [RUNS]; FOLDER holds problems/ and maps/" >&2; exit 2; }
+if [[ $# -lt 1 || ! -d $1/problems || ! -d $1/maps ]]; then
+  echo "usage: $0 FOLDER [RUNS]; FOLDER holds problems/ and maps/" >&2
+  exit 2
+fi
 data=$(cd "$1" && pwd)
 runs=${2:-20}
 page=$root/doc/benchmarks.md
@@ -24,18 +27,13 @@ trap 'rm -f "$written"' EXIT
   echo
   echo "Measured on $(nproc) cores, $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), $runs runs each."
   echo
-  echo '## The front end alone'
-  echo
-  "${measure[@]}" --frontend-only "${problems[@]}" --environments
-  "${measure[@]}" --frontend-only --walled-in "${problems[@]}" --environments
-  "${measure[@]}" --ablation
-  "${measure[@]}" --frontend-only --barn "$data/maps/barn"
-  echo '## The whole pipeline'
-  echo
   "${measure[@]}" "${problems[@]}" --environments
-  echo "### The environments in Ackermann motion only (the paper's Single-SC)"
+  echo '### The environments in Ackermann motion only'
   echo
   "${measure[@]}" --environments --modes ackermann | tail -n +3
+  "${measure[@]}" --walled-in "${problems[@]}" --environments
+  "${measure[@]}" --ablation
   "${measure[@]}" --corner-to-corner --map "$data/maps/nav2/warehouse.yaml" --map "$data/maps/nav2/100by100_10.yaml"
+  "${measure[@]}" --barn "$data/maps/barn"
 } >"$written"
 cp "$written" "$page"

@@ -17,7 +17,6 @@ struct Setup
   PlannerOptions options;
   ModeSet modes;
   int runs = 20;
-  bool frontend_only = false;  ///< one search and no optimisation
   bool frontend_only = true;  ///< without the back end
 };
 
@@ -26,8 +25,7 @@ struct Measurement
 {
   PlanResult result;                ///< the same in each run
   std::vector<double> frontend_ms;  ///< from the grid to the paths, obstacle map included
-  std::vector<double> backend_ms, verify_ms;
-  std::vector<double> total_ms;  ///< CT: from the grid to the verified trajectory
+  std::vector<double> verify_ms;
   std::vector<double> map_ms;      ///< of frontend_ms, the obstacle map
   std::vector<double> backend_ms;  ///< corridors and optimisation
   std::vector<double> cpu_ms;      ///< from the grid to the verified trajectory, CPU time of all threads

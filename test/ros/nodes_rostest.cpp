@@ -126,7 +126,10 @@ TEST(GlobalPlannerNode, leaves_its_status_to_the_action_of_the_same_name)
   ros::master::V_TopicInfo topics;
   ASSERT_TRUE(ros::master::getTopics(topics));
   for (const ros::master::TopicInfo& topic : topics)
-    if (topic.name == "/move_base/status") EXPECT_EQ(topic.datatype, "actionlib_msgs/GoalStatusArray");
+  {
+    if (topic.name != "/move_base/status") continue;
+    EXPECT_EQ(topic.datatype, "actionlib_msgs/GoalStatusArray");
+  }
 }
 
 TEST(MapPublisherNode, publishes_latched_what_the_file_says)
