@@ -125,6 +125,16 @@ std::vector<Path> parts_between_switches(const Path& path)
   return parts;
 }
 
+/// One stretch with the wheels held still: accelerating, cruising and braking on it cannot be improved upon. At full lock
+/// there is not even any other motion between its ends.
+bool is_one_stretch(const Path& part)
+{
+  const PathPiece& first = part.pieces.front();
+  return std::all_of(part.pieces.begin(), part.pieces.end(), [&](const PathPiece& piece) {
+    return piece.phi == first.phi && std::signbit(piece.length) == std::signbit(first.length);
+  });
+}
+
 /// Appends a part that begins at t = 0 after the time the wheels need to turn at rest.
 void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
 {
@@ -159,6 +169,7 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
   const bool matches = segments.front().size() == parts.size();
   if (matches)
     in_parallel(parts.size(), [&](std::size_t i) {
+      if (is_one_stretch(parts[i])) return;
       for (const std::vector<Segment>& spaced : segments)
       {
         const int rounds = refined[i].outer_iterations, iterations = refined[i].solver_iterations;
@@ -174,7 +185,7 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const bool usable = refined[i].solved && !refined[i].too_coarse;
-    if (!usable)
+    if (!usable && !is_one_stretch(parts[i]))
     {
       ++result.fallbacks;
       result.message = refined[i].solved ? "the exact motion misses the knots" : refined[i].message;
