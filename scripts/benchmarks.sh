@@ -16,8 +16,9 @@ marker='<!-- Below: written by scripts/benchmarks.sh -->'
 grep -qxF "$marker" "$page" || { echo "$0: $page lacks the line $marker" >&2; exit 1; }
 
 "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON benchmarks
-program=$(find "$root/build" -type f -name benchmark_frontend -perm -u+x | head -n 1)
-measure=("$program" --markdown --runs "$runs")
+program() { find "$root/build" -type f -name "$1" -perm -u+x | head -n 1; }
+measure=("$(program benchmark_frontend)" --markdown --runs "$runs")
+measure_backend=("$(program benchmark_backend)" --markdown --runs "$runs")
 problems=(--problems "$data/problems/bit_4wis.csv" --problems "$data/problems/generated/problems.csv")
 
 written=$(mktemp)
@@ -35,5 +36,10 @@ trap 'rm -f "$written"' EXIT
   "${measure[@]}" --ablation
   "${measure[@]}" --corner-to-corner --map "$data/maps/nav2/warehouse.yaml" --map "$data/maps/nav2/100by100_10.yaml"
   "${measure[@]}" --barn "$data/maps/barn"
+  "${measure_backend[@]}" "${problems[@]}"
+  "${measure_backend[@]}" "${problems[@]}" --modes ackermann
+  "${measure_backend[@]}" --environments
+  "${measure_backend[@]}" --paper
+  "${measure_backend[@]}" --backend-only "${problems[@]}"
 } >"$written"
 cp "$written" "$page"

@@ -21,7 +21,8 @@ po::options_description options()
   add("help,h", "this text");
   add("problems", po::value<Files>()->composing(), "plan each line id;map;start;goal of a file; may be repeated");
   add("backend-only", "only refine the first path of each of those problems, all files in one table");
-  add("environments", "the project's own environments at several speeds beside the paper's table");
+  add("environments",
+      "the project's own environments in all modes and in Ackermann motion at several speeds, beside the paper's table");
   add("paper", "the paper's back end on the environments in Ackermann motion beside the default one");
   add_setup_options(all);
   return all;
@@ -29,7 +30,8 @@ po::options_description options()
 
 void check(const BackendArguments& arguments)
 {
-  if (arguments.backend_only && arguments.problems.empty()) throw std::runtime_error("--backend-only: needs --problems");
+  if (arguments.backend_only && arguments.problems.empty())
+    throw std::runtime_error("--backend-only: needs --problems");
   if (arguments.problems.empty() && !arguments.environments && !arguments.paper)
     throw std::runtime_error("nothing to measure; see --help");
 }

@@ -14,10 +14,20 @@ namespace
 
 const std::string kEnvironments = FOURWIS_SOURCE_DIR "/config/environments.csv";
 
+std::string names_of(const ModeSet& modes)
+{
+  std::string names;
+  for (const Mode mode : kPlannedModes)
+    if (modes.contains(mode)) names += (names.empty() ? "" : ", ") + std::string(to_string(mode));
+  return names;
+}
+
 void report_problems(const Report& report, const BackendArguments& arguments)
 {
   for (const std::string& file : arguments.problems)
-    report_whole_plans(report, arguments.setup, "Problems of " + file.substr(file.find_last_of('/') + 1),
+    report_whole_plans(report, arguments.setup,
+                       "Whole plans: " + file.substr(file.find_last_of('/') + 1) + " (" +
+                         names_of(arguments.setup.modes) + ")",
                        read_problems(file));
 }
 

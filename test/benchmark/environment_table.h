@@ -9,8 +9,8 @@
 namespace fourwis::benchmark
 {
 
-/// The paper's environments in all modes and in Ackermann motion only, at the paper's reference speed and at higher ones,
-/// beside the paper's figures. `environments` have the names env1 to env4.
+/// The paper's environments in all modes and in Ackermann motion only, whatever setup.modes, at the paper's reference
+/// speed and at higher ones, beside the paper's figures. Throws std::runtime_error unless each is one of env1 to env4.
 void report_environments(const Report& report, const Setup& setup, const std::vector<Problem>& environments);
 
 }  // namespace fourwis::benchmark

@@ -57,7 +57,8 @@ public:
     if (found_.status != PlanStatus::succeeded) return;
     const double speed = setup.options.search.reference_speed;
     paper_ms_ = cpu_times(setup, [&] {
-      paper_ = refine_as_in_paper(world_.rectangles, setup.robot, PaperBackEndOptions(), speed, found_.path, Interrupt());
+      paper_ = refine_as_in_paper(world_.rectangles, setup.robot, PaperBackEndOptions(), speed, found_.path,
+                                  Interrupt());
     });
     ours_ms_ = cpu_times(setup, [&] {
       ours_ = refine(checker_, world_.rectangles, setup.robot, setup.options.optimize, speed, found_.path, Interrupt());
@@ -121,7 +122,8 @@ private:
 void report_paper_comparison(const Report& report, const Setup& setup, const std::vector<Problem>& environments)
 {
   Table table({"environment", "path m", "status", "rounds", "Ipopt iterations", "psi", "T s", "CPU ms", "referee",
-               "default T s", "CPU ms", "referee", "planner AT s", "CPU ms", "paper AT", "paper CT ms"});
+               "default T s", "default CPU ms", "default referee", "planner AT s", "planner CPU ms", "paper AT",
+               "paper CT ms"});
   Setup ackermann = setup;
   ackermann.modes = {true, false, false};
   std::vector<std::string> objections;

@@ -1,5 +1,6 @@
 #include "whole_plan_table.h"
 
+#include <cmath>
 #include <numeric>
 
 #include "statistics.h"

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr unsigned kFirstSeed = 1;
-constexpr int kSeeds = 120;
+constexpr int kSeeds = 1000;
 constexpr double kSpeed = 1.0;
 
 bool same(const Trajectory& a, const Trajectory& b)
