@@ -85,21 +85,21 @@ def maze_walls(drawing, pitch, thickness):
 def env1():
     pitch, thickness = 1.85, 0.2
     side = 7 * pitch + thickness
-    corner = box(side - 0.9, side - 3.0, side - 0.2, side - 2.0)
-    return Environment(side, side, '1.1,1.0,0', '12.5,12.05,1.5708', maze_walls(MAZE, pitch, thickness) + [corner])
+    corner = box(side - 0.9, side - 3.1, side - 0.2, side - 2.1)
+    return Environment(side, side, '1.1,1.1,0', '12.5,12.0,1.5708', maze_walls(MAZE, pitch, thickness) + [corner])
 
 
 # A car park: cars head to tail along the near wall with one gap, which is the goal; side by side along the far wall and
 # on the island between, round which the only way leads.
 def env2():
-    gap_centre, gap = 7.75, 2.0
+    gap_centre, gap = 7.5, 2.0
     far = [box(x - 0.35, 7.5, x + 0.35, 8.6) for x in (3.4, 4.6, 5.8, 8.2, 9.4, 11.8)]
     island = [box(x - 0.35, 3.95, x + 0.35, 5.05) for x in (1.0, 2.2, 3.4, 4.6, 5.8, 7.0, 8.2, 9.4, 10.6)]
     length, distance = 1.1, 1.4
     behind = [gap_centre - gap / 2 - length - k * distance for k in range(4)]
     ahead = [gap_centre + gap / 2 + k * distance for k in range(3)]
     near = [box(x, 0.3, x + length, 0.95) for x in behind + ahead]
-    return Environment(14.0, 9.0, '2.0,7.4,0', '7.75,0.65,0', far + island + near)
+    return Environment(14.0, 9.0, '2.0,7.4,0', '7.5,0.65,0', far + island + near)
 
 
 # Lateral transfer: a bay and a passage hardly longer than the robot, which faces across it at both ends.

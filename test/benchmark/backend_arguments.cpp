@@ -22,7 +22,7 @@ po::options_description options()
   add("problems", po::value<Files>()->composing(), "plan each line id;map;start;goal of a file; may be repeated");
   add("backend-only", "only refine the first path of each of those problems, all files in one table");
   add("environments",
-      "the project's own environments in all modes and in Ackermann motion at several speeds, beside the paper's table");
+      "the project's own environments, all modes and Ackermann only, at several speeds beside the paper's table");
   add("paper", "the paper's back end on the environments in Ackermann motion beside the default one");
   add_setup_options(all);
   return all;

@@ -25,8 +25,8 @@ struct Problem
 };
 
 /// Reads `id;map;start;goal` and, where the file has them, `peer_frontend_cpu_ms`, `peer_backend_cpu_ms`, `peer_AT_s`
-/// and `peer_TL_m`; the columns are found by the header. Maps are relative to the file. Throws std::runtime_error naming
-/// file, line and what was expected.
+/// and `peer_TL_m`; the columns are found by the header. Maps are relative to the file. Throws std::runtime_error
+/// naming file, line and what was expected.
 std::vector<Problem> read_problems(const std::string& path);
 
 /// The inverse: writes `id;map;start;goal`, the maps as they are. Throws std::runtime_error.
