@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fourwis_navigation/optimize/segment_optimizer.h"
+#include "fourwis_navigation/optimize/simpson.h"
 #include "fourwis_navigation/planner/certificate.h"
 #include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/segment/segment.h"
@@ -23,6 +24,8 @@ constexpr double kLeastClearance = 0.001, kWantedClearance = 0.003;
 constexpr double kMostRolloutMiss = 0.004;
 /// A switch is this much longer than the wheels need, for rounding.
 constexpr double kSwitchReserve = 1.0 + 1e-6;
+/// Points are no closer in time than this [s].
+constexpr double kLeastInterval = 1e-3;
 /// So often the knots' spacing is halved.
 constexpr int kHalvings = 2;
 
@@ -135,6 +138,25 @@ bool is_one_stretch(const Path& part)
   });
 }
 
+/// The same motion with a point of its own wherever the robot turns back between two.
+Trajectory split_at_standstill(const Robot& robot, const Trajectory& points)
+{
+  Trajectory split;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    split.push_back(points[k]);
+    if (k + 1 == points.size() || points[k].v * points[k + 1].v >= 0.0) continue;
+    const TrajectoryPoint& p = points[k];
+    const double t = -p.v / p.a;
+    if (t < kLeastInterval || points[k + 1].t - p.t - t < kLeastInterval) continue;
+    SimpsonDynamics::State x;
+    x << p.x, p.y, p.theta, p.v, p.phi;
+    x = SimpsonDynamics(robot, p.mode).next(x, SimpsonDynamics::Control(p.a, p.omega, t));
+    split.push_back({p.t + t, p.mode, x[0], x[1], x[2], 0.0, x[4], p.a, p.omega});
+  }
+  return split;
+}
+
 /// Appends a part that begins at t = 0 after the time the wheels need to turn at rest.
 void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
 {
@@ -190,7 +212,9 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
       ++result.fallbacks;
       result.message = refined[i].solved ? "the exact motion misses the knots" : refined[i].message;
     }
-    append(robot, usable ? refined[i].points : stop_and_steer(parts[i], robot, reference_speed), result.trajectory);
+    append(robot,
+           usable ? split_at_standstill(robot, refined[i].points) : stop_and_steer(parts[i], robot, reference_speed),
+           result.trajectory);
     result.outer_iterations = std::max(result.outer_iterations, refined[i].outer_iterations);
     result.solver_iterations += refined[i].solver_iterations;
     result.corridors.push_back(std::move(refined[i].corridor));

@@ -23,7 +23,8 @@ double three_point_curvature(const TrajectoryPoint& a, const TrajectoryPoint& b,
 
 bool one_motion(const TrajectoryPoint& a, const TrajectoryPoint& b, const TrajectoryPoint& c)
 {
-  return a.mode == b.mode && b.mode == c.mode && (a.v + b.v) * (b.v + c.v) > 0.0 && chord(a, b) > kLeastChord &&
+  return a.mode == b.mode && b.mode == c.mode && a.v * b.v >= 0.0 && b.v * c.v >= 0.0 &&
+         (a.v + b.v) * (b.v + c.v) > 0.0 && chord(a, b) > kLeastChord &&
          chord(b, c) > kLeastChord && chord(a, c) > kLeastChord;
 }
 

@@ -14,39 +14,45 @@
 
 namespace
 {
+
 std::atomic<long> allocations{0};
 
-void* counted(std::size_t size, std::size_t alignment)
+void* counted(void* memory)
 {
   ++allocations;
-  void* memory = alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
-                                                       : std::malloc(size);
-  if (!memory) throw std::bad_alloc();
-  return memory;
+  return memory ? memory : throw std::bad_alloc();
 }
+
 }  // namespace
 
-void* operator new(std::size_t size)
+// Not inlined, or else the compiler sees that memory of `new` goes to `free` and warns.
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
-  return counted(size, 0);
+  return counted(std::malloc(size));
 }
-void* operator new(std::size_t size, std::align_val_t alignment)
+
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment)
 {
-  return counted(size, static_cast<std::size_t>(alignment));
+  const std::size_t unit = static_cast<std::size_t>(alignment);
+  return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
 }
-void operator delete(void* memory) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept
+
+[[gnu::noinline]] void operator delete(void* memory) noexcept
 {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept
+{
+  std::free(memory);
+}
+
+[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
 {
   std::free(memory);
 }
