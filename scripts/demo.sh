@@ -26,7 +26,7 @@ else
   map=(map "$root/config/env2.yaml")
   robot=$root/config/robot.yaml
   start=2,7.4,0
-  goal=7.75,0.65,0
+  goal=7.5,0.65,0
 fi
 
 "$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --robot "$robot" \

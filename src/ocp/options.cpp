@@ -13,8 +13,8 @@ namespace
 void check(const char* name, double value, double least, double limit)
 {
   if (value > least && value < limit) return;
-  throw std::invalid_argument("ocp option " + std::string(name) + " = " + std::to_string(value) + ": must lie between " +
-                              std::to_string(least) + " and " + std::to_string(limit));
+  throw std::invalid_argument("ocp option " + std::string(name) + " = " + std::to_string(value) +
+                              ": must lie between " + std::to_string(least) + " and " + std::to_string(limit));
 }
 
 }  // namespace

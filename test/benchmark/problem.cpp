@@ -100,7 +100,8 @@ std::vector<Problem> read_problems(const std::string& path)
     if (line.empty()) continue;
     const std::string where = path + ":" + std::to_string(number);
     const std::vector<std::string> cells = split(line, ';');
-    if (cells.size() != columns.size()) throw std::runtime_error(where + ": expected as many columns as the header has");
+    if (cells.size() != columns.size())
+      throw std::runtime_error(where + ": expected as many columns as the header has");
     Problem problem;
     problem.id = cells[*id];
     problem.map = cells[*map].front() == '/' ? cells[*map] : folder_of(path) + cells[*map];
@@ -121,8 +122,8 @@ void write_problems(const std::string& path, const std::vector<Problem>& problem
   file.imbue(std::locale::classic());
   file << std::fixed << std::setprecision(4) << "id;map;start;goal\n";
   for (const Problem& p : problems)
-    file << p.id << ';' << p.map << ';' << p.start.x << ',' << p.start.y << ',' << p.start.theta << ';' << p.goal.x << ','
-         << p.goal.y << ',' << p.goal.theta << '\n';
+    file << p.id << ';' << p.map << ';' << p.start.x << ',' << p.start.y << ',' << p.start.theta << ';' << p.goal.x
+         << ',' << p.goal.y << ',' << p.goal.theta << '\n';
   if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 

@@ -108,8 +108,8 @@ struct Car : ModelBase<4, 3, 3>
     }
   }
 
-  /// A swing to the left by 1 m between two walls that leave it late and end it early: |y| <= 0.15 in the first 2/5 of the
-  /// intervals, |y - 1| <= 0.15 in the last 2/5 (y of the point ahead).
+  /// A swing to the left by 1 m between two walls that leave it late and end it early: |y| <= 0.15 in the first 2/5 of
+  /// the intervals, |y - 1| <= 0.15 in the last 2/5 (y of the point ahead).
   static Problem<4, 3> swing(Car& car, int intervals, double weight)
   {
     car.half_planes = {{0.0, 1.0}, {0.0, -1.0}};

@@ -61,8 +61,13 @@ struct RandomModel : ModelBase<NX, NU, NR>
   {
     for (int k = 0; k <= intervals; ++k)
     {
-      Stage stage{random.matrix<NZ, NZ>(), random.matrix<NZ, NZ>(), random.matrix<NZ, 1>(), 0.7 * random.matrix<NX, NZ>(),
-                  random.matrix<NX, 1>(),  {},                      random.matrix<NR, NR>()};
+      Stage stage;
+      stage.Q = random.matrix<NZ, NZ>();
+      stage.C = random.matrix<NZ, NZ>();
+      stage.q = random.matrix<NZ, 1>();
+      stage.A = 0.7 * random.matrix<NX, NZ>();
+      stage.b = random.matrix<NX, 1>();
+      stage.D = random.matrix<NR, NR>();
       stage.Q = (stage.Q + stage.Q.transpose()).eval() / 2.0 + convexity * Matrix<NZ, NZ>::Identity();
       stage.C = (stage.C + stage.C.transpose()).eval() / 2.0;
       stage.D = (stage.D + stage.D.transpose()).eval() / 2.0;
@@ -104,7 +109,8 @@ struct RandomModel : ModelBase<NX, NU, NR>
 
   double terminal_cost(const State& x) const
   {
-    return 0.5 * x.dot(stages.back().Q.template topLeftCorner<NX, NX>() * x) + stages.back().q.template head<NX>().dot(x);
+    return 0.5 * x.dot(stages.back().Q.template topLeftCorner<NX, NX>() * x) +
+           stages.back().q.template head<NX>().dot(x);
   }
 
   void differentiate_terminal(const State& x, Terminal& terminal) const
@@ -140,8 +146,8 @@ Trajectory<Model::kStates, Model::kControls> roll_out(const Model& model, const 
   return result;
 }
 
-/// Random bounds (about every other one missing), rows (elastic and hard) and terminal components, which all hold strictly
-/// on a random motion of the model.
+/// Random bounds (about every other one missing), rows (elastic and hard) and terminal components, which all hold
+/// strictly on a random motion of the model.
 template <int NX, int NU, int NR>
 Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR>& model, int rows_per_stage, Random& random)
 {

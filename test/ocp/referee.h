@@ -7,8 +7,8 @@
 namespace fourwis::ocp
 {
 
-/// Whether a solution keeps all constraints and satisfies the first-order conditions with its own multipliers, written down
-/// anew from the problem and the model.
+/// Whether a solution keeps all constraints and satisfies the first-order conditions with its own multipliers, written
+/// down anew from the problem and the model.
 template <class Model>
 class Referee
 {

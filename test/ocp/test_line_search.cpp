@@ -155,14 +155,25 @@ StepLengths least_ratios(const RandomPoint& scene, const RandomPoint::Point& ste
     {
       const auto &at = scene.point.stages[k], &change = step.stages[k];
       const auto& bounds = scene.limits.bounds[k];
-      if (bounds.lower[i] > -kInfinity) primal(at.z[i] - bounds.lower[i], change.z[i]), dual(at.lower[i], change.lower[i]);
-      if (bounds.upper[i] < kInfinity) primal(bounds.upper[i] - at.z[i], -change.z[i]), dual(at.upper[i], change.upper[i]);
+      if (bounds.lower[i] > -kInfinity)
+      {
+        primal(at.z[i] - bounds.lower[i], change.z[i]);
+        dual(at.lower[i], change.lower[i]);
+      }
+      if (bounds.upper[i] < kInfinity)
+      {
+        primal(bounds.upper[i] - at.z[i], -change.z[i]);
+        dual(at.upper[i], change.upper[i]);
+      }
     }
   for (std::size_t i = 0; i < step.rows.size(); ++i)
   {
     const auto &at = scene.point.rows[i], &change = step.rows[i];
-    primal(at.slack, change.slack), dual(at.multiplier, change.multiplier);
-    if (at.excess > 0.0) primal(at.excess, change.excess), dual(at.excess_multiplier, change.excess_multiplier);
+    primal(at.slack, change.slack);
+    dual(at.multiplier, change.multiplier);
+    if (at.excess == 0.0) continue;
+    primal(at.excess, change.excess);
+    dual(at.excess_multiplier, change.excess_multiplier);
   }
   return least;
 }

@@ -14,7 +14,6 @@ namespace fourwis::ocp
 namespace
 {
 
-constexpr int NX = RandomPoint::NX, NU = RandomPoint::NU, NR = RandomPoint::NR, NZ = RandomPoint::NZ;
 using Model = RandomPoint::Model;
 using Point = RandomPoint::Point;
 

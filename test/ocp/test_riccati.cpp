@@ -143,7 +143,8 @@ TEST(Riccati, FactorisesExactlyTheProblemsThatHaveAMinimum)
     riccati.resize(stages.size());
     const bool factorized = riccati.factorize(stages, regularization);
     for (auto& stage : stages) stage.hessian.diagonal().array() += regularization;
-    const Eigen::VectorXd curvatures = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Condensed(stages).hessian).eigenvalues();
+    const Eigen::VectorXd curvatures =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Condensed(stages).hessian).eigenvalues();
     EXPECT_EQ(factorized, curvatures.minCoeff() > 0.0) << curvatures.minCoeff();
     convex += factorized;
   }

@@ -1,5 +1,5 @@
-// What the solver returns is optimal: linear-quadratic, convex and non-convex problems, judged by the optimality conditions
-// written down anew (referee.h) and by optima that are known.
+// What the solver returns is optimal: linear-quadratic, convex and non-convex problems, judged by the optimality
+// conditions written down anew (referee.h) and by optima that are known.
 
 #include "fourwis_navigation/ocp/solver.h"
 
@@ -149,7 +149,8 @@ TEST(Solver, CarSwingsBetweenTwoWallsHardOrElastic)
     const auto& solution = solver.solve(car, problem, Car::guess(intervals));
     expect_optimal(car, problem, solution, 1e-6);
     EXPECT_LT(solution.statistics.elastic_violation, 1e-6);
-    EXPECT_GT(*std::max_element(solution.multipliers.rows.begin(), solution.multipliers.rows.end()), 1e-3) << "no wall hit";
+    EXPECT_GT(*std::max_element(solution.multipliers.rows.begin(), solution.multipliers.rows.end()), 1e-3)
+      << "no wall hit";
     cost[weight < kInfinity] = solution.statistics.cost;
   }
   EXPECT_NEAR(cost[0], cost[1], 1e-5);
@@ -187,7 +188,8 @@ TEST(Solver, ActiveBoundHasTheMultiplierThatTheCostLosesByIt)
     return std::pair(solution.statistics.cost, multipliers);
   };
   const double step = 1e-3;
-  EXPECT_NEAR(least_time(2.0).second, (least_time(2.0 - step).first - least_time(2.0 + step).first) / (2.0 * step), 1e-4);
+  EXPECT_NEAR(least_time(2.0).second, (least_time(2.0 - step).first - least_time(2.0 + step).first) / (2.0 * step),
+              1e-4);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(SolverGarbage, ProblemsThatMakeNoSenseAreInvalid)
     [](ShuttleScene& s) { s.guess.states.pop_back(); },
     [](ShuttleScene& s) { s.guess.controls.clear(); },
   };
-  for (const auto& spoil : spoils) EXPECT_EQ(ShuttleScene::solved_after(spoil).status, Status::invalid_problem) << &spoil - spoils;
+  for (const auto& spoil : spoils)
+    EXPECT_EQ(ShuttleScene::solved_after(spoil).status, Status::invalid_problem) << &spoil - spoils;
 }
 
 TEST(SolverGarbage, MultipliersOfAnotherProblemAreInvalid)
@@ -51,7 +52,8 @@ TEST(SolverGarbage, MultipliersOfAnotherProblemAreInvalid)
   ShuttleScene scene;
   Solver<Shuttle> solver;
   const auto multipliers = solver.solve(Shuttle(), scene.problem, scene.guess).multipliers;
-  const auto& solution = solver.solve(Shuttle(), Shuttle::problem(1.0, 2.0, 7), Shuttle::guess(1.0, 7), {}, &multipliers);
+  const auto& solution =
+    solver.solve(Shuttle(), Shuttle::problem(1.0, 2.0, 7), Shuttle::guess(1.0, 7), {}, &multipliers);
   EXPECT_EQ(solution.status, Status::invalid_problem);
 }
 

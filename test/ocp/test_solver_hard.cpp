@@ -65,12 +65,13 @@ TEST(SolverHard, HardRowsThatContradictEachOtherAreInfeasible)
   scene.problem.add_row(5, {0.4});
   scene.problem.add_row(5, {-0.6});
   const auto solution = scene.solve(Between());
-  EXPECT_TRUE(solution.status == Status::infeasible || solution.status == Status::stalled) << to_string(solution.status);
+  EXPECT_TRUE(solution.status == Status::infeasible || solution.status == Status::stalled)
+    << to_string(solution.status);
   EXPECT_GT(solution.statistics.infeasibility, 0.05);
 }
 
-/// min sum of -u: no minimum.
-struct Unbounded : ModelBase<1, 1>
+/// min sum of -u_1: no minimum.
+struct Unbounded : ModelBase<2, 2>
 {
   void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
   {
@@ -79,17 +80,18 @@ struct Unbounded : ModelBase<1, 1>
   }
   void differentiate(int, const State&, const Control&, const State&, Derivatives& d) const
   {
-    d.jacobian << 1, 1;
-    d.gradient << 0, -1;
+    d.jacobian << 1, 0, 1, 0,  //
+      0, 1, 0, 1;
+    d.gradient << 0, 0, -1, 0;
   }
 };
 
 TEST(SolverHard, CostWithoutMinimumIsNotSolved)
 {
-  Problem<1, 1> problem;
+  Problem<2, 2> problem;
   problem.reset(5);
   Solver<Unbounded> solver;
-  EXPECT_NE(solver.solve(Unbounded(), problem, zero_trajectory<1, 1>(5)).status, Status::solved);
+  EXPECT_NE(solver.solve(Unbounded(), problem, zero_trajectory<2, 2>(5)).status, Status::solved);
 }
 
 TEST(SolverHard, CoincidingHugeAndOneSidedBoundsAreNoProblem)

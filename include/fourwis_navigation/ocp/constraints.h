@@ -104,8 +104,9 @@ bool has_size(const Trajectory<NX, NU>& trajectory, int intervals)
 template <int NX, int NU>
 bool has_size(const Multipliers<NX, NU>& multipliers, const Problem<NX, NU>& problem)
 {
-  return multipliers.dynamics.size() + 1 == problem.bounds.size() && multipliers.lower.size() == problem.bounds.size() &&
-         multipliers.upper.size() == problem.bounds.size() && multipliers.rows.size() == problem.rows.size();
+  return multipliers.dynamics.size() + 1 == problem.bounds.size() &&
+         multipliers.lower.size() == problem.bounds.size() && multipliers.upper.size() == problem.bounds.size() &&
+         multipliers.rows.size() == problem.rows.size();
 }
 
 template <int NX, int NU>

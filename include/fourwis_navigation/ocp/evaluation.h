@@ -64,7 +64,8 @@ Vector<NU> control(const StageVariables<NX, NU>& stage)
 }
 
 template <class Model, class Iterate, class Constraints>
-void evaluate_rows(const Model& model, const Constraints& constraints, const Iterate& at, Values<Model::kStates>& values)
+void evaluate_rows(const Model& model, const Constraints& constraints, const Iterate& at,
+                   Values<Model::kStates>& values)
 {
   for (int k = 0; k <= constraints.intervals(); ++k)
   {
@@ -87,7 +88,8 @@ void evaluate(const Model& model, const Constraints& constraints, const Iterate&
   for (int k = 0; k < last; ++k)
   {
     typename Model::Value value;
-    model.evaluate(k, detail::state(at.stages[k]), detail::control(at.stages[k]), detail::state(at.stages[k + 1]), value);
+    model.evaluate(k, detail::state(at.stages[k]), detail::control(at.stages[k]), detail::state(at.stages[k + 1]),
+                   value);
     values.cost += value.cost;
     values.residuals.defects[k] = value.defect;
   }
@@ -111,7 +113,8 @@ void differentiate_stages(const Model& model, const Iterate& at, Derivatives<Mod
     stage.gradient.setZero();
     stage.hessian.setZero();
     if (k < last)
-      model.differentiate(static_cast<int>(k), state(at.stages[k]), control(at.stages[k]), at.stages[k + 1].lambda, stage);
+      model.differentiate(static_cast<int>(k), state(at.stages[k]), control(at.stages[k]), at.stages[k + 1].lambda,
+                          stage);
   }
   typename Model::Terminal terminal{Vector<NX>::Zero(), Matrix<NX, NX>::Zero()};
   model.differentiate_terminal(state(at.stages[last]), terminal);

@@ -11,8 +11,8 @@ struct SearchPoint
   double violation, barrier, slope;
 };
 
-/// Filter line search (Waechter and Biegler 2006): a step is accepted if it reduces the violation or the barrier function
-/// sufficiently, and is not dominated by earlier pairs of the two.
+/// Filter line search (Waechter and Biegler 2006): a step is accepted if it reduces the violation or the barrier
+/// function sufficiently, and is not dominated by earlier pairs of the two.
 class Filter
 {
 public:

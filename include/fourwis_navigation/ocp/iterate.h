@@ -15,8 +15,8 @@ struct StageVariables
   Vector<NX + NU> upper;
 };
 
-/// Variables of the row g - c - e + t = 0 with t, e > 0. Stationarity in t and e is kept exactly: t's multiplier is y, and
-/// e's is the weight less y. In a hard row e = 0 and e's multiplier is infinite.
+/// Variables of the row g - c - e + t = 0 with t, e > 0. Stationarity in t and e is kept exactly: t's multiplier is y,
+/// and e's is the weight less y. In a hard row e = 0 and e's multiplier is infinite.
 struct RowVariables
 {
   double slack;              ///< t

@@ -83,7 +83,8 @@ double slope(const Constraints<NX, NU>& constraints, const Iterate<NX, NU>& at, 
   for (std::size_t k = 0; k < at.stages.size(); ++k)
   {
     const Vector<NX + NU>& z = at.stages[k].z;
-    const auto barrier = mu / (constraints.bounds[k].upper - z).array() - mu / (z - constraints.bounds[k].lower).array();
+    const auto barrier =
+      mu / (constraints.bounds[k].upper - z).array() - mu / (z - constraints.bounds[k].lower).array();
     result += (derivatives.stages[k].gradient.array() + barrier).matrix().dot(step.stages[k].z);
   }
   for (std::size_t i = 0; i < at.rows.size(); ++i)

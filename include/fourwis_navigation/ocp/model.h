@@ -36,9 +36,9 @@ using RowMultipliers = Eigen::Map<const Eigen::VectorXd>;
 template <int NR>
 using RowGradients = Eigen::Map<Eigen::Matrix<double, NR, Eigen::Dynamic>>;
 
-/// What every model of an optimal-control problem derives from: its sizes, the types of its functions, and the functions
-/// of a problem without terminal cost and without rows. Nothing is virtual: the solver is a template of the model, so a
-/// model declares anew what it has.
+/// What every model of an optimal-control problem derives from: its sizes, the types of its functions, and the
+/// functions of a problem without terminal cost and without rows. Nothing is virtual: the solver is a template of the
+/// model, so a model declares anew what it has.
 ///
 /// A model must have, for 0 <= k < N,
 ///   void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
@@ -47,9 +47,11 @@ using RowGradients = Eigen::Map<Eigen::Matrix<double, NR, Eigen::Dynamic>>;
 ///   double terminal_cost(const State& x) const;
 ///   void differentiate_terminal(const State& x, Terminal& terminal) const;
 ///   void rows(int k, const RowPoint& q, RowValues values) const;
-///   void differentiate_rows(int k, const RowPoint& q, RowMultipliers y, Gradients gradients, RowHessian& hessian) const;
-/// for the rows g_i(q) of stages 0 <= k <= N with rows, q being the first NR components of (x_k, u_k), `gradients.col(i)` =
-/// dg_i/dq and `hessian` = sum_i y_i d2g_i/dq2. At k = N the controls in q are 0 and must not matter.
+///   void differentiate_rows(int k, const RowPoint& q, RowMultipliers y, Gradients gradients,
+///                           RowHessian& hessian) const;
+/// for the rows g_i(q) of stages 0 <= k <= N with rows, q being the first NR components of (x_k, u_k),
+/// `gradients.col(i)` = dg_i/dq and `hessian` = sum_i y_i d2g_i/dq2. At k = N the controls in q are 0 and must not
+/// matter.
 ///
 /// Every derivative is zero before the call: only what differs from zero must be written. Functions must not keep state
 /// between calls. Values that are not finite reject a step; they are no error.

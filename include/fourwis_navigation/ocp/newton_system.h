@@ -59,8 +59,8 @@ public:
     riccati_.resize(stage_count);
   }
 
-  /// Sets the matrices at `at`. All arguments are kept by reference until the next call; delta is the regularisation of the
-  /// terminal condition.
+  /// Sets the matrices at `at`. All arguments are kept by reference until the next call; delta is the regularisation
+  /// of the terminal condition.
   void assemble(const Limits& limits, const Point& at, const Derivatives<Model>& derivatives, double mu, double delta,
                 Aim aim = Aim::optimality);
 
@@ -86,8 +86,8 @@ private:
 };
 
 template <class Model>
-void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const Derivatives<Model>& derivatives, double mu,
-                                   double delta, Aim aim)
+void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const Derivatives<Model>& derivatives,
+                                   double mu, double delta, Aim aim)
 {
   limits_ = &limits;
   at_ = &at;
@@ -133,10 +133,12 @@ void NewtonSystem<Model>::set_gradients(const Residuals<NX>& residuals)
     const Vector<NZ>& z = at_->stages[k].z;
     auto& stage = stages_[k];
     if (k < last) stage.defect = residuals.defects[k];
-    stage.gradient.array() = mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
+    stage.gradient.array() =
+      mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
     if (aim_ == Aim::optimality) stage.gradient += derivatives_->stages[k].gradient;
     for (int i = limits_->first_row[k]; i < limits_->first_row[k + 1]; ++i)
-      stage.gradient.template head<NR>() += rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i];
+      stage.gradient.template head<NR>() +=
+        rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i];
   }
   for (int i = 0; i < NX; ++i)
     if (limits_->fixed[i]) stages_[last].gradient[i] += at_->nu[i] + residuals.terminal[i] / delta_;

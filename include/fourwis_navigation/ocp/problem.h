@@ -8,7 +8,7 @@
 namespace fourwis::ocp
 {
 
-/// lower <= (x_k, u_k) <= upper, states first; +-infinity where there is no bound.
+/// lower <= (x_k, u_k) <= upper, states first; +-infinity where there is no bound. Kept to 1e-8 (relative above 1).
 template <int NX, int NU>
 struct Bounds
 {
@@ -16,8 +16,8 @@ struct Bounds
   Vector<NX + NU> upper = Vector<NX + NU>::Constant(kInfinity);
 };
 
-/// g_i <= upper. With a finite weight the row may be exceeded by e_i >= 0, which costs weight * e_i (an exact penalty: as
-/// long as the row's multiplier stays below the weight, e_i = 0 at the solution). Infinite: a hard row.
+/// g_i <= upper. With a finite weight the row may be exceeded by e_i >= 0, which costs weight * e_i (an exact penalty:
+/// as long as the row's multiplier stays below the weight, e_i = 0 at the solution). Infinite: a hard row.
 struct RowLimit
 {
   double upper;

@@ -59,8 +59,8 @@ private:
   std::vector<Stage> stages_;
 };
 
-// Products of such small matrices are evaluated coefficient by coefficient (lazyProduct): Eigen's choice for large ones,
-// to which 8 x 5 already belongs, spends its time on packing.
+// Products of such small matrices are evaluated coefficient by coefficient (lazyProduct): Eigen's choice for large
+// ones, to which 8 x 5 already belongs, spends its time on packing.
 
 template <int NX, int NU>
 bool Riccati<NX, NU>::factorize(const Stages& problem, double regularization)
@@ -150,7 +150,8 @@ void Riccati<NX, NU>::solve(const Stages& problem, StepStages& step)
     const Stage& stage = stages_[k];
     Vector<NU> du = Vector<NU>::Zero();
     if (k < last) du = stage.d + stage.K.lazyProduct(dx);
-    step[k].z << dx, du;
+    step[k].z.template head<NX>() = dx;
+    step[k].z.template tail<NU>() = du;
     step[k].lambda = stage.p + stage.P.lazyProduct(dx);
     if (k < last) dx = problem[k].defect + problem[k].jacobian_transposed.transpose().lazyProduct(step[k].z);
   }

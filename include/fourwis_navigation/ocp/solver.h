@@ -33,8 +33,8 @@ struct Solution
 ///               lower_k <= (x_k, u_k) <= upper_k,
 ///               g_i(x_k, u_k) - e_i <= c_i,  e_i >= 0   (e_i = 0 for hard rows),
 ///
-/// whose Newton steps are found by a Riccati recursion, so that an iteration takes a time linear in N. Example: the least
-/// time to move by 1 m from rest to rest with |a| <= 2 m/s^2, the interval length h being a control.
+/// whose Newton steps are found by a Riccati recursion, so that an iteration takes a time linear in N. Example: the
+/// least time to move by 1 m from rest to rest with |a| <= 2 m/s^2, the interval length h being a control.
 ///
 ///   struct Shuttle : ocp::ModelBase<2, 2>  // x = (p, v), u = (a, h)
 ///   {
@@ -83,11 +83,12 @@ public:
   using Multipliers = ocp::Multipliers<NX, NU>;
   using Solution = ocp::Solution<NX, NU>;
 
-  /// Solves from `guess`, whose x_0 is replaced by the problem's and which is moved into the interior of the bounds. For a
-  /// warm start give a small `options.initial_barrier`, and the multipliers of a similar problem where they are known. Both
-  /// may be parts of an earlier solution of this solver. The result is valid until the next call.
-  const Solution& solve(const Model& model, const Problem& problem, const Trajectory& guess, const Options& options = {},
-                        const Multipliers* multipliers = nullptr, const Interrupted& interrupted = {});
+  /// Solves from `guess`, whose x_0 is replaced by the problem's and which is moved into the interior of the bounds.
+  /// For a warm start give a small `options.initial_barrier`, and the multipliers of a similar problem where they are
+  /// known. Both may be parts of an earlier solution of this solver. The result is valid until the next call.
+  const Solution& solve(const Model& model, const Problem& problem, const Trajectory& guess,
+                        const Options& options = {}, const Multipliers* multipliers = nullptr,
+                        const Interrupted& interrupted = {});
 
   const Solution& solution() const { return solution_; }
 

@@ -20,7 +20,7 @@ std::optional<Status> Solver<Model>::advance()
   return {};
 }
 
-/// Adds to the diagonal of the Hessian what the Newton system needs to be that of a minimum; the first try is none at all.
+/// Adds to the diagonal of the Hessian what the Newton system needs to be that of a minimum, nothing if possible.
 template <class Model>
 bool Solver<Model>::factorize()
 {
@@ -28,7 +28,8 @@ bool Solver<Model>::factorize()
   newton_.assemble(constraints_, current_, derivatives_, mu_, options_.terminal_regularization);
   if (newton_.factorize(forced_regularization_)) return true;
   const double growth = regularization_ > 0.0 ? 8.0 : 100.0;
-  double value = std::max(forced_regularization_, regularization_ > 0.0 ? std::max(1e-20, regularization_ / 3.0) : first);
+  double value =
+    std::max(forced_regularization_, regularization_ > 0.0 ? std::max(1e-20, regularization_ / 3.0) : first);
   for (; value <= greatest; value *= growth)
   {
     ++solution_.statistics.regularizations;
@@ -45,7 +46,8 @@ bool Solver<Model>::search_line()
 {
   constexpr double least_alpha = 1e-8;
   const StepLengths lengths = fraction_to_boundary(constraints_, current_, step_, boundary_fraction());
-  const SearchPoint start{merit_.violation, merit_.barrier(mu_), slope(constraints_, current_, derivatives_, step_, mu_)};
+  const SearchPoint start{merit_.violation, merit_.barrier(mu_),
+                          slope(constraints_, current_, derivatives_, step_, mu_)};
   for (double alpha = lengths.primal; alpha > least_alpha; alpha *= 0.5)
   {
     try_step(step_, alpha);
@@ -56,7 +58,8 @@ bool Solver<Model>::search_line()
       accept(step_, alpha, lengths.dual);
       return true;
     }
-    if (alpha == lengths.primal && trial_merit_.violation >= start.violation && try_correction(start, alpha)) return true;
+    if (alpha == lengths.primal && trial_merit_.violation >= start.violation && try_correction(start, alpha))
+      return true;
   }
   return false;
 }
@@ -107,8 +110,8 @@ void Solver<Model>::accept(const Point& step, double primal, double dual)
   merit_ = trial_merit_;
 }
 
-/// Where no step is good for both, one that reduces the violation only. If there is none to reduce, the next Newton step
-/// is made shorter.
+/// Where no step is good for both, one that reduces the violation only. If there is none to reduce, the next Newton
+/// step is made shorter.
 template <class Model>
 std::optional<Status> Solver<Model>::reduce_violation()
 {
@@ -149,7 +152,8 @@ bool Solver<Model>::search_feasibility()
   return false;
 }
 
-/// After a feasibility step the multipliers say nothing: anew from the distances to the bounds. Elastic rows are met again.
+/// After a feasibility step the multipliers say nothing: anew from the distances to the bounds. Elastic rows are met
+/// again.
 template <class Model>
 void Solver<Model>::restart_multipliers()
 {

@@ -21,7 +21,7 @@ inline double moved_inside(double value, double lower, double upper, double push
   return std::clamp(value, from, to);
 }
 
-/// A multiplier to start with: the central mu / gap, or, within a factor of 1000 of it, the one given if it is positive.
+/// A multiplier to start with: mu / gap, or, within a factor of 1000 of that, the one given if it is positive.
 inline double starting_multiplier(double gap, double mu, double given)
 {
   const double central = mu / gap;

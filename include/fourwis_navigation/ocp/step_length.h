@@ -36,8 +36,8 @@ private:
 
 }  // namespace detail
 
-/// Fraction-to-the-boundary rule: the greatest alpha <= 1 that leave at least (1 - tau) of each distance from a bound, and
-/// of each multiplier.
+/// Fraction-to-the-boundary rule: the greatest alpha <= 1 that leaves at least (1 - tau) of each distance from a bound,
+/// and of each multiplier.
 template <int NX, int NU>
 StepLengths fraction_to_boundary(const Constraints<NX, NU>& constraints, const Iterate<NX, NU>& at,
                                  const Iterate<NX, NU>& step, double tau)
@@ -101,7 +101,8 @@ void move_dual(const Constraints<NX, NU>& constraints, const Iterate<NX, NU>& at
     stage.lambda = old.lambda + equalities * change.lambda;
     for (int i = 0; i < NX + NU; ++i)
     {
-      const double above = stage.z[i] - constraints.bounds[k].lower[i], below = constraints.bounds[k].upper[i] - stage.z[i];
+      const double above = stage.z[i] - constraints.bounds[k].lower[i];
+      const double below = constraints.bounds[k].upper[i] - stage.z[i];
       stage.lower[i] = detail::safeguarded(old.lower[i] + bounds * change.lower[i], above, mu);
       stage.upper[i] = detail::safeguarded(old.upper[i] + bounds * change.upper[i], below, mu);
     }
