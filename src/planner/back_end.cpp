@@ -65,7 +65,11 @@ public:
                                                   pinned, rough ? kRoughTolerance : kFineTolerance, interrupt_);
       ++result.outer_iterations;
       result.solver_iterations += solution.iterations;
-      if (!solution.solved) return give_up(result, solution.message);
+      if (!solution.solved)
+      {
+        result.too_coarse = !interrupt_.cancelled() && !interrupt_.timed_out();
+        return give_up(result, solution.message);
+      }
       result.points = std::move(solution.points);
       result.corridor = std::move(corridor.regions);
       const bool certified = is_certified(reference, result, shrink, pinned);

@@ -11,7 +11,7 @@ struct OptimizeOptions
   double interval_weight = 0.2;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
   double corridor_weight = 100.0;   ///< what a metre outside the corridor costs [s/m]
   double shortest_interval = 0.1;   ///< least h_k, of h_ref
-  double longest_interval = 3.0;     ///< greatest h_k, of h_ref
+  double longest_interval = 1.5;     ///< greatest h_k, of h_ref
   double longest_at_rest = 4.0;     ///< the same next to knots at rest
   double corridor_range = 2.0;      ///< a corridor's polytopes reach this far beyond the reference [m]
   int outer_iterations = 2;         ///< rounds of corridor and optimisation, the last to full accuracy
