@@ -35,7 +35,8 @@ trap 'rm -f "$written"' EXIT
   "${measure[@]}" --walled-in "${problems[@]}" --environments
   "${measure[@]}" --ablation
   "${measure[@]}" --corner-to-corner --map "$data/maps/nav2/warehouse.yaml" --map "$data/maps/nav2/100by100_10.yaml"
-  "${measure[@]}" --barn "$data/maps/barn"
+  # Hundreds of maps, and those without a way take seconds.
+  "$program" --markdown --runs "$((runs < 5 ? runs : 5))" --barn "$data/maps/barn"
   "${measure_backend[@]}" "${problems[@]}"
   "${measure_backend[@]}" "${problems[@]}" --modes ackermann
   "${measure_backend[@]}" --environments
