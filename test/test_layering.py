@@ -17,10 +17,10 @@ MAY_INCLUDE = {
     'ocp': set(),
     'optimize': {'model', 'vehicle', 'ocp'},
     'planner': {'model', 'vehicle', 'map', 'search', 'segment', 'corridor', 'ocp', 'optimize'},
-    'parameters': {'model', 'map', 'search', 'planner'},
     'track': {'model', 'vehicle', 'ocp'},
     'can': {'model'},
     'sim': {'model', 'vehicle', 'can'},
+    'parameters': {'model', 'map', 'search', 'planner', 'track', 'can', 'sim'},
 }
 MAY_INCLUDE['cli'] = set(MAY_INCLUDE)
 MAY_INCLUDE['ros'] = set(MAY_INCLUDE) - {'cli'}

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/model/wheels.h"
+#include "fourwis_navigation/track/track_options.h"
+
+namespace fourwis
+{
+
+/// What the tracker is doing; the numbers are those of the message Tracking.
+enum class TrackState : std::uint8_t
+{
+  idle = 0,      ///< no trajectory
+  aligning = 1,  ///< at rest, the wheels turn to where the next stretch wants them
+  driving = 2,
+  stopping = 3,  ///< braking, because it was told to or because of what `message` says
+  arrived = 4,   ///< at rest at the goal
+  failed = 5     ///< at rest, the trajectory is given up because of what `message` says
+};
+
+/// What is known of the robot when a control step begins. Any of it may be stale, missing or nonsense: the tracker judges.
+struct TrackInput
+{
+  double now = 0.0;         ///< [s]
+  double pose_stamp = 0.0;  ///< when `pose` was true [s]
+  Pose pose;                ///< of the robot in the trajectory's frame; NaN where it is not known
+  WheelState wheels;        ///< with its own stamp
+};
+
+/// One control step's answer.
+struct TrackOutput
+{
+  WheelCommand command;  ///< without sequence
+  TrackState state = TrackState::idle;
+  std::string_view message;  ///< why it stops or failed; of static storage
+  double t = 0.0;         ///< where on the trajectory the robot should be at `pose_stamp` [s]
+  double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
+  double longitudinal_error = 0.0;  ///< along the direction of travel [m]
+  double heading_error = 0.0;       ///< [rad]
+  double speed = 0.0;               ///< v that the command stands for [m/s]
+  double phi = 0.0;                 ///< phi that the command stands for [rad]
+};
+
+/// Drives the wheels along a trajectory: brake to rest at each switch, turn the wheels, wait until they are aligned, go on
+/// with the trajectory's clock shifted; in between a model-predictive controller. A stop is always available. step() neither
+/// allocates nor locks. Deterministic: what it answers depends on the calls before it alone.
+class Tracker
+{
+public:
+  /// Throws std::invalid_argument naming the option, its value and the range.
+  Tracker(const Robot& robot, const TrackOptions& options);
+  ~Tracker();
+
+  /// Takes a trajectory to drive from its beginning, or says in a sentence why not (then the one before goes on). Only at
+  /// rest: while driving, the robot stops first and starts the new one if it is near its beginning then. An empty trajectory
+  /// stops.
+  std::string accept(const Trajectory& trajectory);
+
+  /// Brakes to rest and forgets the trajectory.
+  void stop();
+
+  /// One control step; to be called at the control rate. Always answers with a command that is safe to send.
+  TrackOutput step(const TrackInput& input);
+
+  /// Where the last step expects the robot over the horizon, one pose a knot; empty unless driving.
+  const std::vector<Pose>& prediction() const;
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,1 @@
+#include "fourwis_navigation/can/bus.h"

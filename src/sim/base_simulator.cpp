@@ -1,0 +1,1 @@
+#include "fourwis_navigation/sim/base_simulator.h"

@@ -1,0 +1,1 @@
+#include "fourwis_navigation/track/tracker.h"
