@@ -43,8 +43,7 @@ void add_rows(const Polytope& region, double offset, int knot, double weight, Se
 }
 
 /// Rows of the inner knots: each is bound by the regions of both its intervals.
-void set_rows(const Segment& segment, const Corridor& corridor, double offset, double weight, SegmentModel& model,
-              Problem& problem)
+void set_rows(const Segment& segment, const Corridor& corridor, double weight, SegmentModel& model, Problem& problem)
 {
   const std::size_t n = segment.intervals();
   model.disc_rows.clear();
@@ -53,10 +52,8 @@ void set_rows(const Segment& segment, const Corridor& corridor, double offset, d
   {
     model.first_row[k] = model.disc_rows.size();
     for (std::size_t interval : {k - 1, k})
-    {
-      add_rows(corridor.front[interval], offset, static_cast<int>(k), weight, model, problem);
-      add_rows(corridor.rear[interval], -offset, static_cast<int>(k), weight, model, problem);
-    }
+      for (const DiscRegions& disc : corridor)
+        add_rows(disc.regions[interval], disc.offset, static_cast<int>(k), weight, model, problem);
   }
 }
 
@@ -175,7 +172,7 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
   numbers.terminal_fixed = {true, true, true, true, false};
   set_bounds(segment, limits, options, length, problem.model.h_ref, previous, pinned, numbers);
-  set_rows(segment, corridor, robot.length / 4.0, options.corridor_weight, problem.model, numbers);
+  set_rows(segment, corridor, options.corridor_weight, problem.model, numbers);
   return problem;
 }
 

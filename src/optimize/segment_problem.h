@@ -21,7 +21,7 @@ namespace fourwis
 struct DiscRow
 {
   HalfPlane plane;
-  double offset;  ///< o, +-l/4 [m]
+  double offset;  ///< o [m]
 };
 
 /// The functions of a segment's problem, x = (x, y, theta, v, phi), u = (a, omega, h).

@@ -44,7 +44,8 @@ class SegmentRefiner
 public:
   SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                  const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
-    : checker_(checker), obstacles_(obstacles), robot_(robot), options_(options),
+    : map_(checker.map()), discs_(disc_cover(robot, options.corridor_discs)), obstacles_(obstacles), robot_(robot),
+      options_(options),
       polytopes_{options.corridor_range, PolytopeOptions().max_half_planes}, optimizer_(robot, options, reference_speed), interrupt_(interrupt)
   {
   }
@@ -58,7 +59,7 @@ public:
     std::vector<char> pinned(reference.knots.size(), 0);
     for (int round = 1; round <= options_.outer_iterations + options_.repairs; ++round)
     {
-      PolytopeCorridor corridor = polytope_corridor(obstacles_, checker_.discs(), polytopes_, around.knots, shrink);
+      PolytopeCorridor corridor = polytope_corridor(obstacles_, discs_, polytopes_, around.knots, shrink);
       if (corridor.status != CorridorStatus::succeeded) return give_up(result, corridor.message);
       const bool rough = round < options_.outer_iterations;
       SegmentSolution solution = optimizer_.solve(reference, corridor.regions, round == 1 ? nullptr : &result.points,
@@ -95,7 +96,7 @@ private:
   bool is_certified(const Segment& reference, RefinedSegment& result, std::vector<double>& shrink,
                     std::vector<char>& pinned) const
   {
-    const Certificate certificate = certify(checker_, robot_, result.points);
+    const Certificate certificate = certify(map_, discs_, robot_, result.points);
     result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
     result.solved = true;
     for (std::size_t k = 0; k < shrink.size(); ++k)
@@ -111,7 +112,8 @@ private:
     return result.solved;
   }
 
-  const CollisionChecker& checker_;
+  const ObstacleMap& map_;
+  const DiscCover discs_;
   const ObstacleRectangles& obstacles_;
   const Robot& robot_;
   const OptimizeOptions& options_;
