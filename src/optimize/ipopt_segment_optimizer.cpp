@@ -38,7 +38,7 @@ SegmentSolution IpoptSegmentOptimizer::solve(const Segment& segment, const Corri
   if (!fits(segment, corridor, previous, pinned)) return result;
 
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, previous, pinned);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
   const OcpNlp<SegmentModel> program(
       problem.model, problem.numbers,
       previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref));

@@ -110,7 +110,7 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer)
   marker_.publish(markers_);
   if (!show_corridors_) return;
   visualization_msgs::MarkerArray corridors;
-  corridors.markers = {corridor_marker(answer.trace.corridors, answer.request.start, now)};
+  corridors.markers = {corridor_marker(answer.trace.corridors(), answer.request.start, now)};
   corridors_.publish(corridors);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "fourwis_navigation/map/obstacle_map.h"
@@ -16,6 +17,11 @@ struct Certificate
   std::vector<double> clearance;  ///< least distance of the discs (without safety margin) to obstacles [m]; negative in
                                   ///< collision. Distances beyond some centimetres are not looked at closely
   double worst_rollout = 0.0;     ///< greatest miss of the next point by the exact motion [m]
+
+  double least_clearance() const
+  {
+    return clearance.empty() ? 0.0 : *std::min_element(clearance.begin(), clearance.end());
+  }
 };
 
 /// Follows the motion between the points of one mode closely enough that no disc centre can come nearer to an obstacle, between
