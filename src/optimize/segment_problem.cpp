@@ -57,7 +57,7 @@ void set_rows(const Segment& segment, const Corridor& corridor, double weight, S
   }
 }
 
-/// Whether the reference steers so sharply at a knot that the wheels need more time than the interval has.
+/// Whether the reference steers so sharply at a knot that the wheels need more time than an interval has at best.
 bool is_sharp(const Segment& segment, std::size_t knot, double steering_rate, double longest)
 {
   return knot > 0 && knot < segment.intervals() &&
@@ -74,7 +74,7 @@ void set_bounds(const Segment& segment, const MotionLimits& limits, const Optimi
   const double longest = std::max(options.longest_interval * h_ref, room);
   const double longest_at_rest = std::max(options.longest_at_rest * h_ref, room);
   const auto takes_time = [&](std::size_t knot) {
-    return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.steering_rate, longest);
+    return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.fastest_steering, longest);
   };
   for (std::size_t k = 0; k <= n; ++k)
   {

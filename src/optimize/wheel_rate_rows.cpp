@@ -1,5 +1,6 @@
 #include "wheel_rate_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fourwis
@@ -17,15 +18,22 @@ double ratio(const Robot& robot, Mode mode)
   return 0.0;
 }
 
+/// Where dD/dphi = 0: cos^2 2 phi = c^2 (1 + rounding^2) / (4 + c^2).
+double lowest(double c)
+{
+  return std::acos(std::min(1.0, c * std::sqrt((1.0 + kRounding * kRounding) / (4.0 + c * c)))) / 2.0;
+}
+
 }  // namespace
 
 WheelRateRows::WheelRateRows(const Robot& robot, Mode mode)
-  : ratio_(ratio(robot, mode)), inverse_rate_(1.0 / MotionLimits::wheel_rate(robot))
+  : ratio_(ratio(robot, mode)), lowest_(lowest(ratio_)), inverse_rate_(1.0 / MotionLimits::wheel_rate(robot))
 {
 }
 
 WheelRateRows::Share WheelRateRows::share(double phi) const
 {
+  if (std::abs(phi) > lowest_) return {share(lowest_).value, 0.0, 0.0};
   const double c = ratio_, sine = std::sin(2.0 * phi), cosine = std::cos(2.0 * phi);
   const double size = std::sqrt(sine * sine + kRounding * kRounding);  // of the sine
   const double size_slope = 2.0 * sine * cosine / size;

@@ -12,10 +12,11 @@ namespace fourwis
 ///
 /// The wheel at (x, y) = (+-L/2, +-W/2) stands at delta = atan2(.., ..) with, for c = W/L in ackermann and L/W in lateral
 /// mode, d delta / d phi = 1 / (1 -+ c sin 2 phi + c^2 sin^2 phi). The greatest of them all is therefore 1/D with
-///   D(phi) = 1 - c |sin 2 phi| + c^2 sin^2 phi,
-/// least where |phi| is greatest: at an end of the interval. With r the wheels' greatest rate the rows are
-///   (omega / r)^2 - D(phi)^2 <= 0   and   (omega / r)^2 - D(phi + omega h)^2 <= 0,
-/// where |s| is replaced by sqrt(s^2 + 0.05^2), which is smooth and no less. In parallel motion c = 0: D = 1.
+///   D(phi) = 1 - c |sin 2 phi| + c^2 sin^2 phi.
+/// |s| is replaced by sqrt(s^2 + 0.05^2), which is smooth and no less, and D by its minimum beyond the |phi| where it has
+/// one: then it is least where |phi| is greatest, at an end of the interval. With r the wheels' greatest rate the rows are
+///   (omega / r)^2 - D(phi)^2 <= 0   and   (omega / r)^2 - D(phi + omega h)^2 <= 0.
+/// In parallel motion c = 0: D = 1.
 class WheelRateRows
 {
 public:
@@ -46,6 +47,7 @@ private:
   Share share(double phi) const;
 
   double ratio_;         ///< c
+  double lowest_;        ///< the |phi| at which D is least [rad]
   double inverse_rate_;  ///< 1 / r
 };
 

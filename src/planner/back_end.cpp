@@ -147,12 +147,16 @@ void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles
             const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement)
 {
   const SegmentRefiner refiner(checker.map(), obstacles, robot, options, reference_speed, interrupt);
+  Refinement before = refinement;
   in_parallel(refinement.parts.size(), [&](std::size_t i) {
     RefinedPart& part = refinement.parts[i];
     if (!part.optimized || !refiner.polish(part.rounds, part.solver_iterations)) return;
     part.points = split_at_standstill(robot, part.rounds.back().points);
   });
   finish(robot, interrupt, refinement);
+  // Wheels that end elsewhere may take longer to turn at the switch.
+  const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
+  if (later(refinement.trajectory, before.trajectory)) refinement = std::move(before);
 }
 
 }  // namespace fourwis

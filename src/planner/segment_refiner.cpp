@@ -41,6 +41,19 @@ struct SegmentRefiner::Attempt
   {
   }
 
+  /// Makes the robot stop where it turns back at the ends of interval k. False if there is no such place left.
+  bool pin_cusps_of(std::size_t k)
+  {
+    bool found = false;
+    for (std::size_t knot = std::max<std::size_t>(k, 1); knot <= std::min(k + 1, shrink.size() - 1); ++knot)
+    {
+      if (pinned[knot] || !turns_back(reference, knot)) continue;
+      found = true;
+      pinned[knot] = true;
+    }
+    return found;
+  }
+
   const Segment& reference;
   std::vector<Pose> around;    ///< the corridor is built around these knots
   std::vector<double> shrink;  ///< by so much smaller than they could be are the regions of each interval [m]
@@ -112,8 +125,8 @@ SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& 
   return structured_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
 }
 
-/// Sets `solved` when no disc comes too close between the knots. Where one does, shrinks the region, and where the
-/// robot turns back within the interval, out of what the region's chord knows of, makes it stop at the cusp instead.
+/// Sets `solved` when no disc comes too close between the knots. Where one does, makes the robot stop at a cusp beside the
+/// interval, which it may pass far out of what the region's chord knows of; if it stops there, shrinks the region.
 bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) const
 {
   const Trajectory& points = result.points();
@@ -124,11 +137,7 @@ bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) cons
   {
     if (certificate.clearance[k] >= kLeastClearance) continue;
     result.solved = false;
-    if (points[k].v * points[k + 1].v < 0.0)
-      for (std::size_t knot = k > 0 ? k : 1; knot <= std::min(k + 1, attempt.shrink.size() - 1); ++knot)
-        attempt.pinned[knot] = turns_back(attempt.reference, knot);
-    else
-      attempt.shrink[k] += kWantedClearance - certificate.clearance[k];
+    if (!attempt.pin_cusps_of(k)) attempt.shrink[k] += kWantedClearance - certificate.clearance[k];
   }
   return result.solved;
 }

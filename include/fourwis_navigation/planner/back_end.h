@@ -43,8 +43,9 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
                   const OptimizeOptions& options, double reference_speed, const Path& path,
                   const Interrupt& interrupt);
 
-/// One more round for each optimised segment around its result, with twice the knots and discs that stick out less: the
-/// wheels can follow the regions more closely then. A segment for which that does not arrive earlier, or is not certified at once, stays as it is.
+/// One more round for each optimised segment around its result, with twice the knots and discs that stick out less, so
+/// that the robot can steer faster and cut corners closer. Segments for which that is not certified at once, or arrives
+/// later, stay as they are, and so does all if it does.
 void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
             const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement);
 
