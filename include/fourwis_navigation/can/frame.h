@@ -27,4 +27,14 @@ struct Frame
   friend bool operator!=(const Frame& a, const Frame& b) { return !(a == b); }
 };
 
+/// Whether it can be on a bus: not more than 8 bytes, an id of 11 or 29 bits, and an error frame is nothing else besides.
+inline bool is_valid(const Frame& frame)
+{
+  const std::uint32_t largest = frame.extended || frame.error ? 0x1fffffff : 0x7ff;
+  return frame.size <= 8 && frame.id <= largest && !(frame.error && (frame.remote || frame.extended));
+}
+
+/// What a bus says of anything else.
+constexpr char kNoFrame[] = "not a frame: more than 8 bytes, an id of too many bits, or an error frame that is remote or extended";
+
 }  // namespace fourwis::can
