@@ -14,14 +14,14 @@ namespace fourwis::can
 
 struct MemoryBusOptions
 {
-  double bit_rate = 0.0;            ///< [bit/s]; 0: a frame arrives when it is sent
-  std::size_t transmit_queue = 12;  ///< frames an end may have waiting for the bus: SocketCAN's with the smallest send buffer
+  double bit_rate = 0.0;              ///< [bit/s]; 0: a frame arrives when it is sent
+  std::size_t transmit_queue = 12;    ///< frames an end may have waiting: as SocketCAN with the smallest send buffer
   std::size_t receive_queue = 4096;  ///< frames that wait to be read, before more are dropped
 };
 
-/// A bus within one thread, for tests and simulated time: deterministic, without clock and without the operating system.
-/// With a bit rate each end has a transmit queue; of the frames at their heads the one of the smallest id goes first, and
-/// takes the time its bits take. Its ends must not outlive it.
+/// A bus within one thread, for tests and simulated time: deterministic, without clock and operating system. With a bit
+/// rate each end has a transmit queue; of the frames at their heads the one of the smallest id goes first, and takes the
+/// time its bits take. Its ends must not outlive it.
 class MemoryBus
 {
 public:
@@ -80,8 +80,8 @@ public:
   void set_link(Link link);
   /// Refuses every frame (ENOBUFS).
   void set_full(bool full) { full_ = full; }
-  /// This controller leaves the bus: an error frame says so, what is sent is lost, nothing is received. Until restart(),
-  /// or the link goes down and up.
+  /// This controller leaves the bus: an error frame says so, what is sent is lost, nothing is received. Until
+  /// restart(), or the link goes down and up.
   void bus_off();
   void restart();
   /// This end receives `frame`, whoever sent it.
