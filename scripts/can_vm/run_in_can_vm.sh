@@ -84,7 +84,8 @@ start_uml()
 {
   env -u TMP -u TEMP TMPDIR="$(memory_folder)" HOME="$control" \
     timeout "$limit" linux.uml "mem=$memory" umid=can_vm "uml_dir=$control/uml/" \
-    root=/dev/root rootfstype=hostfs rootflags=/ rw "init=$control/guest" "CAN_VM_CONTROL=$control" CAN_VM_BACKEND=uml "CAN_VM_MODULES=${CAN_VM_MODULES// /,}" \
+    root=/dev/root rootfstype=hostfs rootflags=/ rw "init=$control/guest" \
+    "CAN_VM_CONTROL=$control" CAN_VM_BACKEND=uml "CAN_VM_MODULES=${CAN_VM_MODULES// /,}" \
     con=null con0=null,fd:1 panic=1 quiet </dev/null >"$control/console" 2>&1 &
 }
 
