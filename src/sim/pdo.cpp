@@ -1,5 +1,7 @@
 #include "pdo.h"
 
+#include <utility>
+
 namespace fourwis::sim
 {
 namespace

@@ -27,8 +27,7 @@ enum class AbortCode : std::uint32_t
   value_too_high = 0x06090031,
   value_too_low = 0x06090032,
   general = 0x08000000,
-  device_state = 0x08000022,
-  no_data = 0x08000024
+  device_state = 0x08000022
 };
 
 /// Index and sub-index.
