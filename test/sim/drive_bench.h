@@ -71,10 +71,10 @@ public:
 
   void step()
   {
-    move();
     ++ticks_;
     drive.advance(time(), motor);
     for (const can::Frame& frame : drive.take_sent()) sent.push_back(frame);
+    move();
   }
 
   /// What the drive answers at once.
@@ -114,6 +114,12 @@ public:
   {
     for (int word : {0x06, 0x07, 0x0F}) control(word);
     ASSERT_EQ(drive.power_state(), PowerState::operation_enabled);
+  }
+
+  /// As far as the drive allows it.
+  void enable_if_possible()
+  {
+    for (int word : {0x80, 0x06, 0x07, 0x0F}) control(word);
   }
 
   double time() const { return static_cast<double>(ticks_) * kStep; }
