@@ -102,7 +102,7 @@ public:
   std::uint32_t read(std::uint16_t index, int sub = 0)
   {
     const Frames answers = send(raw(0x605, {0x40, index & 0xFF, index >> 8, sub, 0, 0, 0, 0}));
-    return answers.empty() ? 0xFFFFFFFF : number(answers.front());
+    return answers.empty() ? 0xFFFFFFFF : number(answers.back());
   }
 
   std::uint32_t control(int controlword) { return write(0x6040, 0, 2, controlword); }

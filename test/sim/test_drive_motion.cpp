@@ -76,6 +76,7 @@ TEST_F(DriveMotion, CyclicPositionsAreReachedOneInterpolationPeriodLater)
     bench.pass(0.005);
     EXPECT_NEAR(bench.motor.position, target, 1e-6);
   }
+  bench.step();
   EXPECT_NE(status() & kBit12, 0) << "follows";
   EXPECT_EQ(bench.read(0x6064), 3000u);
 }
