@@ -29,13 +29,6 @@ bool is_usable(const WheelCommand& command)
          std::all_of(speed.begin(), speed.end(), finite);
 }
 
-double fastest(const PerWheel& speeds)
-{
-  double most = 0.0;
-  for (double speed : speeds) most = std::max(most, std::abs(speed));
-  return most;
-}
-
 }  // namespace
 
 BaseSimulator::BaseSimulator(const Robot& robot, const SimulatorOptions& options)
@@ -129,7 +122,8 @@ void BaseSimulator::control()
 void BaseSimulator::stop()
 {
   WheelMotion slower{{}, speeds_};
-  limit_speeds(slower, std::max(0.0, fastest(speeds_) - options_.stop_deceleration * options_.time_step));
+  const double most = greatest_magnitude(speeds_) - options_.stop_deceleration * options_.time_step;
+  limit_speeds(slower, std::max(0.0, most));
   set_speeds(slower.speed);
 }
 

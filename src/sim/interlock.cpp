@@ -13,18 +13,11 @@ namespace
 /// Sums of steps count as reached although rounding leaves them a little short [s].
 constexpr double kRounding = 1e-9;
 
-double greatest(const PerWheel& values)
-{
-  double most = 0.0;
-  for (double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 double greatest_gap(const PerWheel& a, const PerWheel& b)
 {
   PerWheel gap{};
   for (std::size_t i = 0; i < kWheels; ++i) gap[i] = a[i] - b[i];
-  return greatest(gap);
+  return greatest_magnitude(gap);
 }
 
 }  // namespace
@@ -54,7 +47,7 @@ void Interlock::want(Mode mode, const PerWheel& angle)
 void Interlock::step(double duration, const WheelMotion& measured)
 {
   measured_angle_ = measured.angle;
-  const bool slow = greatest(measured.speed) < options_.standstill_speed;
+  const bool slow = greatest_magnitude(measured.speed) < options_.standstill_speed;
   const bool near = greatest_gap(angle_, measured_angle_) <= options_.aligned_angle;
   standstill_ = slow ? standstill_ + duration : 0.0;
   aligned_ = near ? aligned_ + duration : 0.0;
