@@ -20,7 +20,7 @@ ocp::Options solver_options(bool warm)
   options.tolerance = 1e-5;
   options.acceptable_tolerance = 1e-3;
   options.max_iterations = 30;
-  options.initial_barrier = warm ? 1e-4 : 1e-2;
+  options.initial_barrier = warm ? 1e-3 : 1e-2;
   return options;
 }
 
@@ -60,7 +60,7 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   for (std::size_t k = 0; k < count; ++k)
     times_.push_back(first + (options.horizon - first) * double(k) / double(count - 1));
 
-  const auto weight = [&](double scale) { return std::pow(options.lateral_scale / scale, 2); };
+  const auto weight = [&](double scale) { return 1.0 / (scale * scale); };
   horizon_.state_weight << weight(options.longitudinal_scale), weight(options.lateral_scale),
     weight(options.heading_scale), weight(options.speed_scale), weight(options.steering_scale);
   horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
