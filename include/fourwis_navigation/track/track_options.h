@@ -23,9 +23,9 @@ struct TrackOptions
   double steering_rate_scale = 2.0;      ///< of omega [rad/s]
 
   // What is known of the base between a measurement and what a command does.
-  double command_latency = 0.0;  ///< from the measurement to the command that it leads to taking effect [s]
-  double drive_lag = 0.0;        ///< time constant of the wheels' speeds [s]
-  double steering_lag = 0.0;     ///< time constant of the wheels' angles [s]
+  double command_latency = 0.02;  ///< from the measurement to the command that it leads to taking effect [s]
+  double drive_lag = 0.03;       ///< time constant of the wheels' speeds [s]
+  double steering_lag = 0.02;    ///< time constant of the wheels' angles [s]
 
   // Goal and switches.
   double xy_goal_tolerance = 0.01;                ///< distance from the goal at which it is reached [m]
