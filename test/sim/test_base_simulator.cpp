@@ -23,9 +23,7 @@ constexpr Mode kDrivenModes[] = {Mode::ackermann, Mode::lateral, Mode::parallel,
 
 double fastest(const WheelMotion& wheels)
 {
-  double most = 0.0;
-  for (double speed : wheels.speed) most = std::max(most, std::abs(speed));
-  return most;
+  return greatest_magnitude(wheels.speed);
 }
 
 /// Actuators without lag and perfect encoders.

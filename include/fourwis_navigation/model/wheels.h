@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "fourwis_navigation/model/mode.h"
@@ -11,6 +13,14 @@ namespace fourwis
 
 /// One number for each wheel, in wheel order: front-left, front-right, rear-left, rear-right.
 using PerWheel = std::array<double, kWheels>;
+
+/// The greatest magnitude of the four.
+inline double greatest_magnitude(const PerWheel& values)
+{
+  double greatest = 0.0;
+  for (double value : values) greatest = std::max(greatest, std::abs(value));
+  return greatest;
+}
 
 /// Angle and rolling speed of the four wheels. (angle + pi, -speed) is the same motion of the body.
 struct WheelMotion
