@@ -29,6 +29,13 @@ bool is_usable(const WheelCommand& command)
          std::all_of(speed.begin(), speed.end(), finite);
 }
 
+double fastest(const PerWheel& speeds)
+{
+  double most = 0.0;
+  for (double speed : speeds) most = std::max(most, std::abs(speed));
+  return most;
+}
+
 }  // namespace
 
 BaseSimulator::BaseSimulator(const Robot& robot, const SimulatorOptions& options)
@@ -110,8 +117,8 @@ void BaseSimulator::watch()
 
 void BaseSimulator::control()
 {
-  for (int i = 0; i < kWheels; ++i)
-    plant_.set_steering_target(i, interlock_.may_turn() ? taken_.motion.angle[static_cast<std::size_t>(i)] : plant_.angle(i));
+  const PerWheel angles = interlock_.may_turn() ? taken_.motion.angle : plant_.wheels().angle;
+  for (int i = 0; i < kWheels; ++i) plant_.set_steering_target(i, angles[static_cast<std::size_t>(i)]);
   if (!interlock_.may_drive()) return stop();
   WheelMotion wanted = taken_.motion;
   limit_speeds(wanted, max_speed_);
@@ -121,12 +128,9 @@ void BaseSimulator::control()
 /// All wheels by one factor, so that the body keeps its path.
 void BaseSimulator::stop()
 {
-  double fastest = 0.0;
-  for (double speed : speeds_) fastest = std::max(fastest, std::abs(speed));
-  const double slower = std::max(0.0, fastest - options_.stop_deceleration * options_.time_step);
-  PerWheel speeds = speeds_;
-  for (double& speed : speeds) speed = fastest > 0.0 ? speed * slower / fastest : 0.0;
-  set_speeds(speeds);
+  WheelMotion slower{{}, speeds_};
+  limit_speeds(slower, std::max(0.0, fastest(speeds_) - options_.stop_deceleration * options_.time_step));
+  set_speeds(slower.speed);
 }
 
 void BaseSimulator::set_speeds(const PerWheel& speeds)

@@ -41,7 +41,11 @@ Interlock::Interlock(const InterlockOptions& options) : options_(options)
 void Interlock::want(Mode mode, const PerWheel& angle)
 {
   if (stage_ == Stage::failed) return;
-  if (mode != mode_) stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
+  if (mode != mode_)
+  {
+    stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
+    waiting_ = 0.0;
+  }
   mode_ = mode;
   angle_ = angle;
   if (greatest_gap(angle_, measured_angle_) > options_.aligned_angle) aligned_ = 0.0;
@@ -54,7 +58,7 @@ void Interlock::step(double duration, const WheelMotion& measured)
   const bool near = greatest_gap(angle_, measured_angle_) <= options_.aligned_angle;
   standstill_ = slow ? standstill_ + duration : 0.0;
   aligned_ = near ? aligned_ + duration : 0.0;
-  turning_ = stage_ == Stage::aligning ? turning_ + duration : 0.0;
+  waiting_ = is_waiting() ? waiting_ + duration : 0.0;
   advance();
 }
 
@@ -74,11 +78,16 @@ bool Interlock::aligned() const
   return may_turn() && aligned_ >= options_.aligned_time - kRounding;
 }
 
+bool Interlock::is_waiting() const
+{
+  return stage_ == Stage::coming_to_rest || stage_ == Stage::aligning;
+}
+
 void Interlock::advance()
 {
   if (stage_ == Stage::coming_to_rest && at_standstill()) stage_ = Stage::aligning;
   if (stage_ == Stage::aligning && aligned()) stage_ = Stage::released;
-  if (stage_ == Stage::aligning && turning_ > options_.alignment_timeout) stage_ = Stage::failed;
+  if (is_waiting() && waiting_ > options_.alignment_timeout) stage_ = Stage::failed;
 }
 
 }  // namespace fourwis

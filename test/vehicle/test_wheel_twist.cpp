@@ -18,7 +18,8 @@ constexpr unsigned kSeed = 43;
 
 /// The wheels of a body that moves with the twist, on either branch; each lies `offset` to the left of its axis and
 /// is steered at its rate. Position of the wheel and its derivative, written out.
-WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, double offset = 0.0, const PerWheel& rate = {})
+WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, double offset = 0.0,
+                      const PerWheel& rate = {})
 {
   WheelMotion wheels;
   for (std::size_t i = 0; i < kWheels; ++i)

@@ -26,8 +26,8 @@ using ParameterMap = std::map<std::string, ParameterValue>;
 /// Reads a YAML file. Throws ConfigError naming the file and the line.
 ParameterMap read_parameter_file(const std::string& path);
 
-/// Every key of `config/robot.yaml`, once, in range; throws ConfigError for an unknown, missing or out-of-range key. The
-/// keys are the names of Robot's members, SI units and radians.
+/// Every key of `config/robot.yaml`, once, in range; throws ConfigError for an unknown, missing or out-of-range key.
+/// The keys are the names of Robot's members, SI units and radians.
 Robot robot_from(const ParameterMap& parameters);
 
 /// Likewise for `config/planner.yaml` and PlannerOptions.
