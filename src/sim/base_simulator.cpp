@@ -29,13 +29,6 @@ bool is_usable(const WheelCommand& command)
          std::all_of(speed.begin(), speed.end(), finite);
 }
 
-double fastest(const PerWheel& speeds)
-{
-  double most = 0.0;
-  for (double speed : speeds) most = std::max(most, std::abs(speed));
-  return most;
-}
-
 }  // namespace
 
 BaseSimulator::BaseSimulator(const Robot& robot, const SimulatorOptions& options)
@@ -68,6 +61,7 @@ bool BaseSimulator::command(const WheelCommand& command)
 
 void BaseSimulator::step(double duration)
 {
+  require_between("duration", duration, 0.0, 1e6);
   remainder_ += duration;
   const auto steps = static_cast<std::int64_t>(std::floor(remainder_ / options_.time_step + 1e-6));
   remainder_ -= static_cast<double>(steps) * options_.time_step;
@@ -129,7 +123,8 @@ void BaseSimulator::control()
 void BaseSimulator::stop()
 {
   WheelMotion slower{{}, speeds_};
-  limit_speeds(slower, std::max(0.0, fastest(speeds_) - options_.stop_deceleration * options_.time_step));
+  const double most = greatest_magnitude(speeds_) - options_.stop_deceleration * options_.time_step;
+  limit_speeds(slower, std::max(0.0, most));
   set_speeds(slower.speed);
 }
 

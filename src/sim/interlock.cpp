@@ -13,24 +13,18 @@ namespace
 /// Sums of steps count as reached although rounding leaves them a little short [s].
 constexpr double kRounding = 1e-9;
 
-double greatest(const PerWheel& values)
-{
-  double most = 0.0;
-  for (double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 double greatest_gap(const PerWheel& a, const PerWheel& b)
 {
   PerWheel gap{};
   for (std::size_t i = 0; i < kWheels; ++i) gap[i] = a[i] - b[i];
-  return greatest(gap);
+  return greatest_magnitude(gap);
 }
 
 }  // namespace
 
 Interlock::Interlock(const InterlockOptions& options) : options_(options)
 {
+  require_between("largest_jump", options.largest_jump, 0.01, 10.0);
   require_between("standstill_speed", options.standstill_speed, 1e-6, 1.0);
   require_between("standstill_time", options.standstill_time, 0.0, 10.0);
   require_between("aligned_angle", options.aligned_angle, 1e-6, 0.5);
@@ -41,7 +35,7 @@ Interlock::Interlock(const InterlockOptions& options) : options_(options)
 void Interlock::want(Mode mode, const PerWheel& angle)
 {
   if (stage_ == Stage::failed) return;
-  if (mode != mode_)
+  if (mode != mode_ || greatest_gap(angle, angle_) > options_.largest_jump)
   {
     stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
     waiting_ = 0.0;
@@ -54,7 +48,7 @@ void Interlock::want(Mode mode, const PerWheel& angle)
 void Interlock::step(double duration, const WheelMotion& measured)
 {
   measured_angle_ = measured.angle;
-  const bool slow = greatest(measured.speed) < options_.standstill_speed;
+  const bool slow = greatest_magnitude(measured.speed) < options_.standstill_speed;
   const bool near = greatest_gap(angle_, measured_angle_) <= options_.aligned_angle;
   standstill_ = slow ? standstill_ + duration : 0.0;
   aligned_ = near ? aligned_ + duration : 0.0;

@@ -86,8 +86,7 @@ ModeMotion mode_motion(const Robot& robot, Mode mode, const WheelMotion& wheels,
 
 double limit_speeds(WheelMotion& wheels, double max_speed)
 {
-  double fastest = 0.0;
-  for (double speed : wheels.speed) fastest = std::max(fastest, std::abs(speed));
+  const double fastest = greatest_magnitude(wheels.speed);
   if (fastest <= max_speed) return 1.0;
   const double factor = max_speed / fastest;
   for (double& speed : wheels.speed) speed *= factor;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "../support/random.h"
+#include "../support/twist.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis
@@ -34,13 +35,6 @@ WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, do
     wheels.speed[i] = wheel_vx * std::cos(a) + wheel_vy * std::sin(a);
   }
   return wheels;
-}
-
-void expect_twist(const Twist& twist, const Twist& expected, double accuracy)
-{
-  EXPECT_NEAR(twist.vx, expected.vx, accuracy);
-  EXPECT_NEAR(twist.vy, expected.vy, accuracy);
-  EXPECT_NEAR(twist.omega, expected.omega, accuracy);
 }
 
 struct TwistOfWheels : testing::Test
