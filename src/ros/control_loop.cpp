@@ -1,5 +1,6 @@
 #include "fourwis_navigation/ros/control_loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -15,6 +16,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The base's stamps need not be multiples of the control period to the nanosecond.
 const ros::Duration kJitter(1e-3);
+
+/// A trajectory that is to begin later than this comes from somebody with another clock.
+const ros::Duration kLongestWait(10.0);
 
 }  // namespace
 
@@ -32,6 +36,7 @@ void ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
   if (trajectory.points.empty())
   {
     waiting_.reset();
+    trajectory_ = trajectory.header.stamp;
     tracker_->stop();
     return;
   }
@@ -54,9 +59,9 @@ void ControlLoop::check(const std_msgs::Header& header) const
   if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
     refuse("trajectory: was planned ", (first_ - header.stamp).toSec(), " s before the controller started");
-  if (const double ahead = (header.stamp - newest_).toSec(); ahead > parameters_.node.state_timeout)
-    refuse("trajectory: its stamp is ", ahead, " s ahead of the newest odometry, expected at most state_timeout = ",
-           parameters_.node.state_timeout, " s");
+  if (header.stamp - newest_ > kLongestWait)
+    refuse("trajectory: is to begin ", (header.stamp - newest_).toSec(), " s after the newest odometry, expected at most ",
+           kLongestWait.toSec(), " s");
 }
 
 std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,
@@ -75,7 +80,8 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
 
 std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 {
-  if (first_.isZero() || (now - newest_).toSec() <= parameters_.node.state_timeout) return std::nullopt;
+  const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
+  if (first_.isZero() || (now - newest_).toSec() <= patience) return std::nullopt;
   return step(now);
 }
 

@@ -8,6 +8,25 @@ namespace fourwis
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
+namespace
+{
+
+const char* to_string(TrackState state)
+{
+  switch (state)
+  {
+    case TrackState::idle: return "no trajectory";
+    case TrackState::aligning: return "turning the wheels";
+    case TrackState::driving: return "driving";
+    case TrackState::stopping: return "stopping";
+    case TrackState::arrived: return "arrived";
+    case TrackState::failed: return "gave up";
+  }
+  return "";
+}
+
+}  // namespace
+
 ControllerDiagnostics::ControllerDiagnostics()
 {
   updater_.setHardwareID("none");

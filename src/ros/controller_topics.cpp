@@ -17,15 +17,6 @@ using fourwis_navigation::Tracking;
 /// The eye wants no more of the prediction.
 const ros::Duration kPredictionPeriod(0.1);
 
-geometry_msgs::Twist to_message(const Twist& twist)
-{
-  geometry_msgs::Twist message;
-  message.linear.x = twist.vx;
-  message.linear.y = twist.vy;
-  message.angular.z = twist.omega;
-  return message;
-}
-
 }  // namespace
 
 Tracking to_message(const ControlStep& step, const std::string& frame)
@@ -60,7 +51,7 @@ ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOption
 void ControllerTopics::publish(const ControlStep& step, const std::vector<Pose>& prediction)
 {
   const TrackOutput& output = step.output;
-  wheel_commands_.publish(fourwis::to_message(output.command, step.stamp));
+  wheel_commands_.publish(to_message(output.command, step.stamp));
   cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
   tracking_.publish(to_message(step, global_frame_));
   if (step.stamp < predicted_ || step.stamp - predicted_ >= kPredictionPeriod) publish_prediction(step.stamp, prediction);
@@ -88,7 +79,7 @@ void ControllerTopics::publish_prediction(const ros::Time& stamp, const std::vec
   {
     geometry_msgs::PoseStamped& place = path.poses.emplace_back();
     place.header = path.header;
-    place.pose = fourwis::to_message(pose);
+    place.pose = to_message(pose);
   }
   predicted_path_.publish(path);
 }

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "fourwis_navigation/vehicle/kinematics.h"
 #include "refuse.h"
 
 namespace fourwis
@@ -151,6 +150,15 @@ geometry_msgs::TransformStamped to_message(const Pose& pose, const std_msgs::Hea
   message.transform.translation.x = plain.position.x;
   message.transform.translation.y = plain.position.y;
   message.transform.rotation = plain.orientation;
+  return message;
+}
+
+geometry_msgs::Twist to_message(const Twist& twist)
+{
+  geometry_msgs::Twist message;
+  message.linear.x = twist.vx;
+  message.linear.y = twist.vy;
+  message.angular.z = twist.omega;
   return message;
 }
 

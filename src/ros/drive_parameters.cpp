@@ -13,7 +13,6 @@ MpcControllerOptions controller_options(KeyReader& reader)
   options.global_frame = reader.frame("global_frame");
   options.robot_base_frame = reader.frame("robot_base_frame");
   options.transform_tolerance = reader.number("transform_tolerance", 0.01, 60.0, "s");
-  options.state_timeout = reader.number("state_timeout", 0.02, 10.0, "s");
   return options;
 }
 

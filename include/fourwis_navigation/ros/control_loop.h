@@ -21,7 +21,7 @@ namespace fourwis
 struct ControlStep
 {
   ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
-  ros::Time trajectory;  ///< header.stamp of the trajectory it is about; zero for none
+  ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
   TrackOutput output;
   std::string problem;  ///< why the pose is not known; empty where it is
   double solve_ms = 0.0;
@@ -48,8 +48,8 @@ public:
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
                                       const fourwis_navigation::WheelStates& wheels);
 
-  /// Steps on what was measured last when nothing has been measured for `state_timeout`, so that the tracker stops. Empty
-  /// otherwise, and before the first measurement.
+  /// Steps on what was measured last once that is older than the tracker accepts, so that it stops. Empty otherwise, and
+  /// before the first measurement.
   std::optional<ControlStep> watch(const ros::Time& now);
 
   const std::vector<Pose>& prediction() const { return tracker_->prediction(); }
@@ -72,7 +72,7 @@ private:
   const Refused refused_;
   std::optional<Tracker> tracker_;  ///< replaced when time goes back
   std::optional<Waiting> waiting_;
-  ros::Time trajectory_;  ///< the one that the tracker has
+  ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
   ros::Time first_, newest_;  ///< measurement
   ros::Time due_, stepped_;   ///< the next step, and the last one
   std::uint32_t sequence_ = 0;

@@ -7,6 +7,7 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
@@ -21,6 +22,7 @@
 #include "fourwis_navigation/model/pose.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
 {
@@ -61,6 +63,7 @@ ModeSet to_modes(const std::vector<std::string>& names);
 geometry_msgs::Pose to_message(const Pose& pose);
 /// `pose`, of the frame `child`, as it is in the header's frame.
 geometry_msgs::TransformStamped to_message(const Pose& pose, const std_msgs::Header& header, const std::string& child);
+geometry_msgs::Twist to_message(const Twist& twist);
 nav_msgs::OccupancyGrid to_message(const OccupancyGrid& grid, const std_msgs::Header& header);
 fourwis_navigation::ModeTrajectory to_message(const Trajectory& trajectory, const std_msgs::Header& header);
 fourwis_navigation::PlanMetrics to_message(const PlanMetrics& metrics);

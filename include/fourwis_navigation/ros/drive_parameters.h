@@ -16,7 +16,6 @@ struct MpcControllerOptions
   std::string global_frame = "map";            ///< frame of the trajectories
   std::string robot_base_frame = "base_link";  ///< the robot's centre; child_frame_id of `odom`
   double transform_tolerance = 0.5;            ///< how much older than odom the localisation's transform may be [s]
-  double state_timeout = 0.2;                  ///< the robot stops when it has not been heard of for so long [s]
 };
 
 /// Everything that mpc_controller_node is configured with.
@@ -36,6 +35,7 @@ struct BaseFrames
   std::string odom_frame = "odom";
   std::string robot_base_frame = "base_link";
   bool publish_odom_tf = true;
+  double wheel_radius = 0.1;  ///< for the picture of turning wheels only [m]
 };
 
 /// The keys of `config/base_simulator.yaml`, in the private namespace of base_simulator_node.
