@@ -26,11 +26,15 @@ MpcController::MpcController(const MpcControllerParameters& parameters)
   trajectory_ = node_.subscribe<fourwis_navigation::ModeTrajectory>(
     "trajectory", 10,
     [this](const fourwis_navigation::ModeTrajectoryConstPtr& trajectory) { loop_.take(*trajectory); });
-  pairs_.registerCallback(
-    boost::function<void(const nav_msgs::OdometryConstPtr&, const fourwis_navigation::WheelStatesConstPtr&)>(
-      [this](const auto& odometry, const auto& wheels) { publish(loop_.measured(*odometry, *wheels)); }));
+  pairs_.registerCallback(&MpcController::on_pair, this);
   watchdog_ = node_.createTimer(ros::Duration(1.0 / parameters.track.controller_frequency),
                                 [this](const ros::TimerEvent& event) { publish(loop_.watch(event.current_real)); });
+}
+
+void MpcController::on_pair(const nav_msgs::OdometryConstPtr& odometry,
+                            const fourwis_navigation::WheelStatesConstPtr& wheels)
+{
+  publish(loop_.measured(*odometry, *wheels));
 }
 
 void MpcController::publish(const std::optional<ControlStep>& step)

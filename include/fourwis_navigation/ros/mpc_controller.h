@@ -23,6 +23,7 @@ public:
   explicit MpcController(const MpcControllerParameters& parameters);
 
 private:
+  void on_pair(const nav_msgs::OdometryConstPtr& odometry, const fourwis_navigation::WheelStatesConstPtr& wheels);
   void publish(const std::optional<ControlStep>& step);
 
   ros::NodeHandle node_;
