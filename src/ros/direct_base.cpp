@@ -12,6 +12,19 @@ namespace
 /// Time does not wait for a controller that has been silent for longer.
 const ros::WallDuration kPatience(1.0);
 
+const char* explain(BaseState state)
+{
+  switch (state)
+  {
+    case BaseState::not_ready: return "not ready";
+    case BaseState::ready: return "not enabled";
+    case BaseState::enabled: return "";
+    case BaseState::stopping: return "stopping: commands do not come any more";
+    case BaseState::fault: return "fault: the wheels did not align in time";
+  }
+  return "";
+}
+
 }  // namespace
 
 DirectBase::DirectBase(const BaseSimulatorParameters& parameters, BaseSimulator& simulator)
@@ -26,7 +39,8 @@ DirectBase::DirectBase(const BaseSimulatorParameters& parameters, BaseSimulator&
 
 void DirectBase::publish(const ros::Time& stamp)
 {
-  topics_.publish(stamp, simulator_.wheels(), "");
+  const WheelState state = simulator_.wheels();
+  topics_.publish(stamp, state, explain(state.state));
 }
 
 bool DirectBase::answered(const ros::Time& now) const

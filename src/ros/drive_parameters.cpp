@@ -31,6 +31,7 @@ BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
   options.frames.odom_frame = reader.frame("odom_frame");
   options.frames.robot_base_frame = reader.frame("robot_base_frame");
   options.frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  options.frames.wheel_radius = reader.number("wheel_radius", 0.01, 10.0, "m");
   options.publish_frequency = reader.number("publish_frequency", 1.0, 1000.0, "Hz");
   options.transform_tolerance = reader.number("transform_tolerance", 0.0, 10.0, "s");
   options.publish_clock = reader.flag("publish_clock");
