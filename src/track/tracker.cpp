@@ -1,1 +1,55 @@
 #include "fourwis_navigation/track/tracker.h"
+
+#include "check_trajectory.h"
+#include "sequencer.h"
+
+namespace fourwis
+{
+
+class Tracker::Implementation
+{
+public:
+  Implementation(const Robot& robot, const TrackOptions& options) : robot(robot), sequencer(robot, options) {}
+
+  const Robot robot;
+  Sequencer sequencer;
+};
+
+Tracker::Tracker(const Robot& robot, const TrackOptions& options)
+{
+  check(options);
+  implementation_ = std::make_unique<Implementation>(robot, options);
+}
+
+Tracker::~Tracker() = default;
+
+std::string Tracker::accept(const Trajectory& trajectory)
+{
+  if (trajectory.empty())
+  {
+    stop();
+    return {};
+  }
+  const std::string complaint = check_trajectory(implementation_->robot, trajectory);
+  if (!complaint.empty()) return complaint;
+  Mission mission = mission_of(implementation_->robot, trajectory);
+  implementation_->sequencer.take(mission);
+  return {};
+}
+
+void Tracker::stop()
+{
+  implementation_->sequencer.stop();
+}
+
+TrackOutput Tracker::step(const TrackInput& input)
+{
+  return implementation_->sequencer.step(input);
+}
+
+const std::vector<Pose>& Tracker::prediction() const
+{
+  return implementation_->sequencer.prediction();
+}
+
+}  // namespace fourwis
