@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
@@ -82,6 +83,8 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 {
   const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
   if (first_.isZero() || (now - newest_).toSec() <= patience) return std::nullopt;
+  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string((now - newest_odometry_).toSec()) +
+             " s and " + std::to_string((now - newest_wheel_states_).toSec()) + " s old";
   return step(now);
 }
 
@@ -97,6 +100,7 @@ void ControlLoop::restart(const ros::Time& now)
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)
 {
   problem_.clear();
+  speed_ = std::hypot(odometry.twist.twist.linear.x, odometry.twist.twist.linear.y);
   input_.pose_stamp = odometry.header.stamp.toSec();
   try
   {
@@ -128,10 +132,10 @@ ControlStep ControlLoop::step(const ros::Time& now)
   result.stamp = now;
   result.trajectory = trajectory_;
   result.problem = problem_;
+  result.speed = speed_;
   input_.now = now.toSec();
   const Clock::time_point start = Clock::now();
   result.output = tracker_->step(input_);
-  result.output.command.sequence = ++sequence_;
   result.solve_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   return result;
 }

@@ -1,28 +1,28 @@
 #include "fourwis_navigation/ros/controller_diagnostics.h"
 
-#include "fourwis_navigation/ros/controller_topics.h"
+#include <algorithm>
 
 namespace fourwis
 {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
+using fourwis_navigation::Tracking;
 
 namespace
 {
 
-const char* to_string(TrackState state)
+const char* name_of(std::uint8_t state)
 {
   switch (state)
   {
-    case TrackState::idle: return "no trajectory";
-    case TrackState::aligning: return "turning the wheels";
-    case TrackState::driving: return "driving";
-    case TrackState::stopping: return "stopping";
-    case TrackState::arrived: return "arrived";
-    case TrackState::failed: return "gave up";
+    case Tracking::IDLE: return "no trajectory";
+    case Tracking::ALIGNING: return "turning the wheels";
+    case Tracking::DRIVING: return "driving";
+    case Tracking::STOPPING: return "stopping";
+    case Tracking::ARRIVED: return "arrived";
+    default: return "gave up";
   }
-  return "";
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ ControllerDiagnostics::ControllerDiagnostics()
                                              [this](const ros::WallTimerEvent&) { updater_.update(); });
 }
 
-void ControllerDiagnostics::stepped(const ControlStep& step)
+void ControllerDiagnostics::stepped(const Tracking& tracking)
 {
-  if (last_ && last_->trajectory != step.trajectory) refusal_.clear();
-  greatest_solve_ms_ = std::max(greatest_solve_ms_, step.solve_ms);
-  last_ = step;
+  if (last_ && last_->trajectory != tracking.trajectory) refusal_.clear();
+  slowest_ms_ = std::max(slowest_ms_, last_->solve_ms);
+  last_ = tracking;
 }
 
 void ControllerDiagnostics::report(DiagnosticStatusWrapper& status)
@@ -49,15 +49,14 @@ void ControllerDiagnostics::report(DiagnosticStatusWrapper& status)
     status.summary(DiagnosticStatus::WARN, "no odometry and wheel states of one stamp received yet");
     return;
   }
-  const fourwis_navigation::Tracking tracking = to_message(*last_, "");
-  const std::string complaint = tracking.message.empty() ? refusal_ : tracking.message;
+  const std::string complaint = last_->message.empty() ? refusal_ : last_->message;
   status.summary(complaint.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
-                 std::string(to_string(last_->output.state)) + (complaint.empty() ? "" : ": " + complaint));
-  status.add("lateral error [m]", tracking.lateral_error);
-  status.add("longitudinal error [m]", tracking.longitudinal_error);
-  status.add("heading error [rad]", tracking.heading_error);
-  status.add("slowest step [ms]", greatest_solve_ms_);
-  greatest_solve_ms_ = 0.0;
+                 std::string(name_of(last_->state)) + (complaint.empty() ? "" : ": " + complaint));
+  status.add("lateral error [m]", last_->lateral_error);
+  status.add("longitudinal error [m]", last_->longitudinal_error);
+  status.add("heading error [rad]", last_->heading_error);
+  status.add("slowest step [ms]", slowest_ms_);
+  slowest_ms_ = 0.0;
 }
 
 }  // namespace fourwis

@@ -33,7 +33,7 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
   message.lateral_error = output.lateral_error;
   message.longitudinal_error = output.longitudinal_error;
   message.heading_error = output.heading_error;
-  message.speed = output.speed;
+  message.speed = step.speed;
   message.solve_ms = step.solve_ms;
   return message;
 }
@@ -48,12 +48,12 @@ ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOption
   predicted_path_ = private_node.advertise<nav_msgs::Path>("predicted_path", 1);
 }
 
-void ControllerTopics::publish(const ControlStep& step, const std::vector<Pose>& prediction)
+void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking, const std::vector<Pose>& prediction)
 {
   const TrackOutput& output = step.output;
   wheel_commands_.publish(to_message(output.command, step.stamp));
   cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
-  tracking_.publish(to_message(step, global_frame_));
+  tracking_.publish(tracking);
   if (step.stamp < predicted_ || step.stamp - predicted_ >= kPredictionPeriod) publish_prediction(step.stamp, prediction);
 }
 

@@ -53,15 +53,9 @@ void DirectBase::on_command(const fourwis_navigation::WheelCommands& message)
 {
   commanded_ = message.header.stamp;
   heard_ = ros::WallTime::now();
-  try
-  {
-    simulator_.command(to_command(message));
-  }
-  catch (const ConversionError& error)
-  {
-    ROS_WARN_THROTTLE(1.0, "%s", error.what());
-    simulator_.command({});
-  }
+  if (simulator_.command(to_command(message))) return;
+  ROS_WARN_THROTTLE(1.0, "wheel_commands: mode %d or one of the numbers is unusable, stopping", message.mode);
+  simulator_.command({});
 }
 
 }  // namespace fourwis

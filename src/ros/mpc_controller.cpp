@@ -11,7 +11,8 @@ constexpr std::uint32_t kPairQueue = 20;
 }  // namespace
 
 MpcController::MpcController(const MpcControllerParameters& parameters)
-  : tf_listener_(tf_, node_, false),
+  : global_frame_(parameters.node.global_frame),
+    tf_listener_(tf_, node_, false),
     topics_(parameters.robot, parameters.node),
     loop_(parameters, tf_,
           [this](const ros::Time& trajectory, const std::string& message)
@@ -26,9 +27,21 @@ MpcController::MpcController(const MpcControllerParameters& parameters)
   trajectory_ = node_.subscribe<fourwis_navigation::ModeTrajectory>(
     "trajectory", 10,
     [this](const fourwis_navigation::ModeTrajectoryConstPtr& trajectory) { loop_.take(*trajectory); });
+  odom_.registerCallback(&MpcController::on_odometry, this);
+  wheel_states_.registerCallback(&MpcController::on_wheel_states, this);
   pairs_.registerCallback(&MpcController::on_pair, this);
   watchdog_ = node_.createTimer(ros::Duration(1.0 / parameters.track.controller_frequency),
                                 [this](const ros::TimerEvent& event) { publish(loop_.watch(event.current_real)); });
+}
+
+void MpcController::on_odometry(const nav_msgs::OdometryConstPtr& odometry)
+{
+  loop_.heard_odometry(odometry->header.stamp);
+}
+
+void MpcController::on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels)
+{
+  loop_.heard_wheel_states(wheels->header.stamp);
 }
 
 void MpcController::on_pair(const nav_msgs::OdometryConstPtr& odometry,
@@ -40,8 +53,9 @@ void MpcController::on_pair(const nav_msgs::OdometryConstPtr& odometry,
 void MpcController::publish(const std::optional<ControlStep>& step)
 {
   if (!step) return;
-  topics_.publish(*step, loop_.prediction());
-  diagnostics_.stepped(*step);
+  const fourwis_navigation::Tracking tracking = to_message(*step, global_frame_);
+  topics_.publish(*step, tracking, loop_.prediction());
+  diagnostics_.stepped(tracking);
 }
 
 }  // namespace fourwis

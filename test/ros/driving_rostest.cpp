@@ -122,10 +122,10 @@ TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_o
   expect_refused(message("map", -900.0), "before the controller started");
   ModeTrajectory bad = message("map", 0.0);
   bad.points[1].theta = kNaN;
-  expect_refused(bad, "point 1: theta is nan");
+  expect_refused(bad, "point 1: holds something that is no finite number");
   bad = message("map", 0.0);
   bad.points[0].mode = 77;
-  expect_refused(bad, "point 0: mode is 77");
+  expect_refused(bad, "point 0: its mode is not known (77)");
 
   ASSERT_TRUE(wait_for_state(Tracking::ARRIVED, drive));
   expect_at(goal);

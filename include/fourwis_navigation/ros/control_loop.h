@@ -22,9 +22,10 @@ struct ControlStep
 {
   ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
   ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
-  TrackOutput output;
-  std::string problem;  ///< why the pose is not known; empty where it is
-  double solve_ms = 0.0;
+  TrackOutput output;    ///< its message is valid until the next step
+  std::string problem;    ///< why the pose is not known; empty where it is
+  double speed = 0.0;     ///< of the robot's centre, as odometry has it [m/s]
+  double solve_ms = 0.0;  ///< time of the whole step
 };
 
 /// The controller's node without its topics: judges trajectories, and steps the tracker whenever odometry and wheel states of
@@ -40,13 +41,17 @@ public:
   ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
 
   /// An empty trajectory stops at once. Any other begins with the first step that is not before its stamp. Refused: one in
-  /// another frame, with numbers or modes that make no sense, stamped before this loop's first measurement (it is left over
-  /// from somebody else's drive) or far ahead of the newest.
+  /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over from
+  /// somebody else's drive) or far ahead of the newest.
   void take(const fourwis_navigation::ModeTrajectory& trajectory);
 
   /// Two messages of one stamp. Empty when it is not time for a step yet.
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
                                       const fourwis_navigation::WheelStates& wheels);
+
+  // Stamps of what arrives, paired or not: only to say what is missing.
+  void heard_odometry(const ros::Time& stamp) { newest_odometry_ = stamp; }
+  void heard_wheel_states(const ros::Time& stamp) { newest_wheel_states_ = stamp; }
 
   /// Steps on what was measured last once that is older than the tracker accepts, so that it stops. Empty otherwise, and
   /// before the first measurement.
@@ -73,10 +78,11 @@ private:
   std::optional<Tracker> tracker_;  ///< replaced when time goes back
   std::optional<Waiting> waiting_;
   ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
-  ros::Time first_, newest_;  ///< measurement
+  ros::Time first_, newest_;  ///< pair
+  ros::Time newest_odometry_, newest_wheel_states_;
   ros::Time due_, stepped_;   ///< the next step, and the last one
-  std::uint32_t sequence_ = 0;
   TrackInput input_;
+  double speed_ = 0.0;
   std::string problem_;
 };
 

@@ -6,7 +6,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/wall_timer.h>
 
-#include "fourwis_navigation/ros/control_loop.h"
+#include "fourwis_navigation/Tracking.h"
 
 namespace fourwis
 {
@@ -18,15 +18,15 @@ class ControllerDiagnostics
 public:
   ControllerDiagnostics();
 
-  void stepped(const ControlStep& step);
+  void stepped(const fourwis_navigation::Tracking& tracking);
   void refused(const std::string& message) { refusal_ = message; }
 
 private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  std::optional<ControlStep> last_;
-  std::string refusal_;         ///< of the trajectory that came last; empty when it was taken
-  double greatest_solve_ms_ = 0.0;  ///< since the last report
+  std::optional<fourwis_navigation::Tracking> last_;
+  std::string refusal_;             ///< of the trajectory that came last; empty when it was taken
+  double slowest_ms_ = 0.0;         ///< control step since the last report
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

@@ -20,8 +20,9 @@ class ControllerTopics
 public:
   ControllerTopics(const Robot& robot, const MpcControllerOptions& options);
 
-  /// Command first: nothing else is urgent.
-  void publish(const ControlStep& step, const std::vector<Pose>& prediction);
+  /// Command first: nothing else is urgent. `tracking`: the step as `~tracking` has it.
+  void publish(const ControlStep& step, const fourwis_navigation::Tracking& tracking,
+               const std::vector<Pose>& prediction);
 
   /// On `~tracking`: the trajectory of this stamp is not driven.
   void publish_refusal(const ros::Time& trajectory, const std::string& message);

@@ -12,14 +12,10 @@
 namespace fourwis
 {
 
-/// The points of a trajectory as they are. Refuses modes that nobody drives and numbers that are not finite, naming the
-/// point and its field; whether the robot can follow it is the tracker's to say.
+// The numbers as they are, and modes that are none of ours, too: whoever takes them judges.
 Trajectory to_trajectory(const fourwis_navigation::ModeTrajectory& message);
-
-/// Refuses modes that nobody drives and, except for a stop, numbers that are not finite.
 WheelCommand to_command(const fourwis_navigation::WheelCommands& message);
-
-/// A state that is none of the message's constants is taken for a fault; the numbers are as they are.
+/// A state that is none of the message's constants is taken for a fault.
 WheelState to_wheel_state(const fourwis_navigation::WheelStates& message);
 
 fourwis_navigation::WheelCommands to_message(const WheelCommand& command, const ros::Time& stamp);

@@ -23,9 +23,12 @@ public:
   explicit MpcController(const MpcControllerParameters& parameters);
 
 private:
+  void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
+  void on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels);
   void on_pair(const nav_msgs::OdometryConstPtr& odometry, const fourwis_navigation::WheelStatesConstPtr& wheels);
   void publish(const std::optional<ControlStep>& step);
 
+  const std::string global_frame_;
   ros::NodeHandle node_;
   tf2::BufferCore tf_;
   tf2_ros::TransformListener tf_listener_;
