@@ -23,6 +23,7 @@ Pose OdometryPose::at(const nav_msgs::Odometry& odometry) const
   if (odometry.child_frame_id != robot_base_frame_)
     refuse("odom: child_frame_id is '", odometry.child_frame_id, "', expected robot_base_frame = '", robot_base_frame_,
            "'");
+  if (odometry.header.frame_id.empty()) refuse("odom: header.frame_id is empty, expected the name of a tf frame");
   const Pose in_odom = to_pose(odometry.pose.pose, "odom", kMaxRobotTilt);
   const auto localization = lookup(odometry.header.frame_id, odometry.header.stamp);
   return compose(to_pose(localization.transform, "tf of odom", kMaxRobotTilt), in_odom);

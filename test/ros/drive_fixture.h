@@ -46,7 +46,7 @@ protected:
   {
     ASSERT_TRUE(wait_until([this] { return trajectory_.getNumSubscribers() > 0 && tracking_.connected(); }));
     ASSERT_TRUE(tracking_.wait_for_any());
-    send({});
+    stop();
     ASSERT_TRUE(wait_for_tracking([](const Tracking& t) { return t.state != Tracking::STOPPING; }));
     forget();
   }
@@ -92,7 +92,7 @@ protected:
     trajectory_.publish(to_message(trajectory, header));
     return header.stamp;
   }
-  void send(const ModeTrajectory& trajectory) { trajectory_.publish(trajectory); }
+  ros::Time stop() { return send(Trajectory()); }
 
   Inbox<Tracking>::Pointer wait_for_tracking(const std::function<bool(const Tracking&)>& condition)
   {

@@ -34,7 +34,7 @@ protected:
 
   void expect_refused(const ModeTrajectory& trajectory, const std::string& reason)
   {
-    send(trajectory);
+    trajectory_.publish(trajectory);
     const auto refusal = wait_for_state(Tracking::FAILED, trajectory.header.stamp);
     ASSERT_TRUE(refusal);
     EXPECT_NE(refusal->message.find(reason), std::string::npos) << refusal->message;
@@ -75,8 +75,8 @@ TEST_F(Driving, an_empty_trajectory_stops_it_and_the_wheels_keep_their_angles)
 {
   wait_for_motion(send(plan({16, 12, 0.5}, {true, false, false})));
   const auto before = wheel_states_.messages().back();
-  const ros::Time stop = send({});
-  ASSERT_TRUE(wait_for_state(Tracking::IDLE, stop));
+  const ros::Time end = stop();
+  ASSERT_TRUE(wait_for_state(Tracking::IDLE, end));
   wait_for_rest();
   const Pose there = truth();
   EXPECT_LT(distance(there, kMiddle), 5.0);
@@ -137,7 +137,7 @@ TEST_F(Driving, waits_for_the_time_at_which_a_trajectory_begins)
   std_msgs::Header header;
   header.frame_id = "map";
   header.stamp = ros::Time::now() + ros::Duration(1.0);
-  send(to_message(plan(goal), header));
+  trajectory_.publish(to_message(plan(goal), header));
   ASSERT_TRUE(wait_for_state(Tracking::ARRIVED, header.stamp));
   for (const auto& tracking : tracking_.messages())
     EXPECT_EQ(tracking->trajectory == header.stamp, tracking->header.stamp >= header.stamp);
