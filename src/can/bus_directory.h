@@ -9,8 +9,9 @@
 namespace fourwis::can
 {
 
-/// Where the ends of a bus without kernel meet: a directory that holds one socket for each, in $XDG_RUNTIME_DIR/fourwis_can
-/// or, where that is not set, /tmp/fourwis_can_UID. Only its user has access. Names with a leading dot do not count.
+/// Where the ends of a bus without kernel meet: a directory that holds one socket for each, in
+/// $XDG_RUNTIME_DIR/fourwis_can or, where that is not set, /tmp/fourwis_can_UID. Only its user has access. Names with a
+/// leading dot do not count.
 class BusDirectory
 {
 public:

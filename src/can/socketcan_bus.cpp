@@ -46,8 +46,8 @@ int interface_error(int socket, const std::string& interface)
   return (request.ifr_flags & IFF_UP) != 0 ? 0 : ENETDOWN;
 }
 
-/// 0 when the socket belongs to the interface, else errno. Binding to an interface that went down meanwhile succeeds with
-/// an error to be fetched.
+/// 0 when the socket belongs to the interface, else errno. Binding to an interface that went down meanwhile succeeds
+/// with an error to be fetched.
 int bind_error(int socket, const std::string& interface)
 {
   sockaddr_can address{};

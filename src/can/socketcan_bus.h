@@ -9,9 +9,9 @@
 namespace fourwis::can
 {
 
-/// An interface of Linux SocketCAN. Its bit rate, restart after bus-off and coming up are the system's job. A link that was
-/// down or gone is noticed with the next frame sent or received; the socket is then closed, for one of an interface that
-/// was deleted never works again, not even with a new interface of that name.
+/// An interface of Linux SocketCAN. Its bit rate, restart after bus-off and coming up are the system's job. A link that
+/// was down or gone is noticed with the next frame sent or received; the socket is then closed, for one of an interface
+/// that was deleted never works again, not even with a new interface of that name.
 class SocketCanBus final : public Bus
 {
 public:

@@ -12,10 +12,11 @@
 namespace fourwis::can
 {
 
-/// A bus among the processes of one user on one machine, without CAN in the kernel and without a broker: each end listens
-/// at a socket in the BusDirectory and connects to those of all others. Of a process that died nothing remains but its
-/// file, which the next to send to it removes. Down when the directory is taken away. What reaches a peer is limited by
-/// the send buffer of one connection (net.core.wmem_default): a datagram socket would hold ten frames (net.unix.max_dgram_qlen).
+/// A bus among the processes of one user on one machine, without CAN in the kernel and without a broker: each end
+/// listens at a socket in the BusDirectory and connects to those of all others. Of a process that died nothing remains
+/// but its file, which the next to send to it removes. Down when the directory is taken away. What reaches a peer is
+/// limited by the send buffer of one connection (net.core.wmem_default): a datagram socket would hold ten frames
+/// (net.unix.max_dgram_qlen).
 class UnixBus final : public Bus
 {
 public:

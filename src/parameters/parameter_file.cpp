@@ -115,4 +115,9 @@ PlannerOptions read_planner_file(const std::string& path)
   return from_file(path, planner_options_from);
 }
 
+SimulatorOptions read_simulator_file(const std::string& path)
+{
+  return from_file(path, simulator_options_from);
+}
+
 }  // namespace fourwis

@@ -4,9 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "../support/random.h"
 #include "bus_laws.h"
@@ -123,6 +125,42 @@ TEST_F(UnixBusTest, HoldsSomeCyclesForAnEndThatIsBusy)
   for (int n = 0; n < 200; ++n) ASSERT_EQ(sender->send(numbered(0, n)), BusStatus::ok);
   for (int n = 0; n < 200; ++n) ASSERT_EQ(next_frame(*busy), numbered(0, n));
   EXPECT_EQ(busy->counters().dropped, 0u);
+}
+
+/// One of several ends that all send `frames` frames at once, and never more than a window ahead of what they have read.
+void take_part(Bus& bus, int self, int ends, int frames)
+{
+  constexpr int kWindow = 50;
+  std::vector<int> read(ends, 0);
+  read[self] = frames;
+  const auto slowest = [&] { return *std::min_element(read.begin(), read.end()); };
+  for (int sent = 0; sent < frames || slowest() < frames;)
+  {
+    Frame frame;
+    if (sent < frames && sent < slowest() + kWindow)
+    {
+      frame = {static_cast<std::uint32_t>(self), false, false, false, 2,
+               {static_cast<std::uint8_t>(sent), static_cast<std::uint8_t>(sent >> 8)}};
+      ASSERT_EQ(bus.send(frame), BusStatus::ok);
+      ++sent;
+    }
+    if (bus.receive(frame) != BusStatus::ok) continue;
+    ASSERT_NE(static_cast<int>(frame.id), self);
+    ASSERT_EQ(frame.data[0] + 256 * frame.data[1], read[frame.id]++);
+  }
+}
+
+TEST_F(UnixBusTest, LosesNothingWhileManySendAndOthersComeAndGo)
+{
+  constexpr int kEnds = 3, kFrames = 2000;
+  std::vector<std::unique_ptr<Bus>> ends;
+  for (int i = 0; i < kEnds; ++i) ends.push_back(rig.open());
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kEnds; ++i) threads.emplace_back([&, i] { take_part(*ends[i], i, kEnds, kFrames); });
+  for (int n = 0; n < 100; ++n) EXPECT_TRUE(rig.open()->recover());
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& end : ends) EXPECT_EQ(end->counters().dropped, 0u);
+  EXPECT_EQ(rig.files(), static_cast<std::size_t>(kEnds));
 }
 
 TEST_F(UnixBusTest, BusesOfDifferentNamesHearNothingOfEachOther)

@@ -50,8 +50,8 @@ public:
 };
 
 /// Opens an end of the bus that `name` says: `unix:NAME` a bus among the processes of this machine that needs no CAN
-/// in the kernel, anything else the SocketCAN interface of that name. A bus that is not there yet is opened in the state
-/// `down`. Throws std::invalid_argument for a name that can be none.
+/// in the kernel, anything else the SocketCAN interface of that name. A bus that is not there yet is opened in the
+/// state `down`. Throws std::invalid_argument for a name that can be none.
 std::unique_ptr<Bus> open_bus(const std::string& name);
 
 }  // namespace fourwis::can

@@ -20,8 +20,8 @@ struct MemoryBusOptions
 };
 
 /// A bus within one thread, for tests and simulated time: deterministic, without clock and operating system. With a bit
-/// rate each end has a transmit queue; of the frames at their heads the one of the smallest id goes first, and takes the
-/// time its bits take. Its ends must not outlive it.
+/// rate each end has a transmit queue; of the frames at their heads the one of the smallest id goes first, and takes
+/// the time its bits take. Its ends must not outlive it.
 class MemoryBus
 {
 public:

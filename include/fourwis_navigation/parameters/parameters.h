@@ -7,6 +7,7 @@
 
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/planner/planner.h"
+#include "fourwis_navigation/sim/simulator_options.h"
 
 namespace fourwis
 {
@@ -32,8 +33,12 @@ Robot robot_from(const ParameterMap& parameters);
 /// Likewise for `config/planner.yaml` and PlannerOptions.
 PlannerOptions planner_options_from(const ParameterMap& parameters);
 
+/// Likewise for `config/simulator.yaml` and SimulatorOptions.
+SimulatorOptions simulator_options_from(const ParameterMap& parameters);
+
 /// Both steps for a file; every ConfigError also names the file.
 Robot read_robot_file(const std::string& path);
 PlannerOptions read_planner_file(const std::string& path);
+SimulatorOptions read_simulator_file(const std::string& path);
 
 }  // namespace fourwis
