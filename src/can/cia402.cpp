@@ -77,6 +77,8 @@ std::uint16_t controlword(DriveState state, PowerGoal goal)
   {
     case PowerGoal::on: return controlword_to_switch_on(state);
     case PowerGoal::off: return controlword_to_switch_off(state);
+    case PowerGoal::keep:
+      return state == DriveState::operation_enabled ? control::enable_operation : controlword_to_switch_off(state);
     case PowerGoal::quick_stop: return control::quick_stop;
   }
   return control::disable_voltage;

@@ -115,6 +115,11 @@ PlannerOptions read_planner_file(const std::string& path)
   return from_file(path, planner_options_from);
 }
 
+TrackOptions read_track_file(const std::string& path)
+{
+  return from_file(path, track_options_from);
+}
+
 SimulatorOptions read_simulator_file(const std::string& path)
 {
   return from_file(path, simulator_options_from);

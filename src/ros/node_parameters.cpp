@@ -1,5 +1,6 @@
 #include "fourwis_navigation/ros/node_parameters.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "fourwis_navigation/ros/conversions.h"
@@ -79,6 +80,10 @@ GlobalPlannerOptions options_from(KeyReader& reader)
   options.transform_tolerance = reader.number("transform_tolerance", 0.01, 60.0, "s");
   options.start_from = start_from(reader.text("start_from"));
   options.modes = modes(reader.text("modes"));
+  options.wait_for_controller = reader.flag("wait_for_controller");
+  options.controller_patience = reader.number("controller_patience", 0.1, 60.0, "s");
+  options.replan_attempts = reader.count("replan_attempts", 0, 100, "attempts");
+  options.start_delay = reader.number("start_delay", 0.0, 10.0, "s");
   options.show_expansions = reader.flag("show_expansions");
   options.show_corridors = reader.flag("show_corridors");
   return options;
@@ -130,6 +135,13 @@ double KeyReader::number(const std::string& key, double min, double max, const s
   if (has(key)) return number(key, min, max, unit);
   known_.push_back(key);
   return fallback;
+}
+
+int KeyReader::count(const std::string& key, int min, int max, const std::string& unit)
+{
+  const double value = number(key, min, max, unit);
+  if (value != std::floor(value)) refuse(key, value, "a whole number of " + unit);
+  return static_cast<int>(value);
 }
 
 bool KeyReader::flag(const std::string& key)

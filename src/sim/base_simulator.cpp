@@ -61,6 +61,7 @@ bool BaseSimulator::command(const WheelCommand& command)
 
 void BaseSimulator::step(double duration)
 {
+  require_between("duration", duration, 0.0, 1e6);
   remainder_ += duration;
   const auto steps = static_cast<std::int64_t>(std::floor(remainder_ / options_.time_step + 1e-6));
   remainder_ -= static_cast<double>(steps) * options_.time_step;
@@ -110,8 +111,8 @@ void BaseSimulator::watch()
 
 void BaseSimulator::control()
 {
-  for (int i = 0; i < kWheels; ++i)
-    plant_.set_steering_target(i, interlock_.may_turn() ? taken_.motion.angle[static_cast<std::size_t>(i)] : plant_.angle(i));
+  const PerWheel angles = interlock_.may_turn() ? taken_.motion.angle : plant_.wheels().angle;
+  for (int i = 0; i < kWheels; ++i) plant_.set_steering_target(i, angles[static_cast<std::size_t>(i)]);
   if (!interlock_.may_drive()) return stop();
   WheelMotion wanted = taken_.motion;
   limit_speeds(wanted, max_speed_);
@@ -121,12 +122,10 @@ void BaseSimulator::control()
 /// All wheels by one factor, so that the body keeps its path.
 void BaseSimulator::stop()
 {
-  double fastest = 0.0;
-  for (double speed : speeds_) fastest = std::max(fastest, std::abs(speed));
-  const double slower = std::max(0.0, fastest - options_.stop_deceleration * options_.time_step);
-  PerWheel speeds = speeds_;
-  for (double& speed : speeds) speed = fastest > 0.0 ? speed * slower / fastest : 0.0;
-  set_speeds(speeds);
+  WheelMotion slower{{}, speeds_};
+  const double most = greatest_magnitude(speeds_) - options_.stop_deceleration * options_.time_step;
+  limit_speeds(slower, std::max(0.0, most));
+  set_speeds(slower.speed);
 }
 
 void BaseSimulator::set_speeds(const PerWheel& speeds)

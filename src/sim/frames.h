@@ -15,7 +15,8 @@ using FrameSink = std::function<void(const can::Frame&)>;
 namespace cob
 {
 inline constexpr std::uint32_t kNmt = 0x000, kSync = 0x080, kEmergency = 0x080, kSdoReply = 0x580, kSdoRequest = 0x600,
-                               kHeartbeat = 0x700;
+                               kHeartbeat = 0x700, kFirstTransmitPdo = 0x180, kSecondTransmitPdo = 0x280,
+                               kFirstReceivePdo = 0x200;
 }
 
 inline void put_bytes(can::Frame& frame, std::size_t at, std::uint8_t count, std::uint32_t bytes)

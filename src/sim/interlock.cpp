@@ -13,18 +13,11 @@ namespace
 /// Sums of steps count as reached although rounding leaves them a little short [s].
 constexpr double kRounding = 1e-9;
 
-double greatest(const PerWheel& values)
-{
-  double most = 0.0;
-  for (double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 double greatest_gap(const PerWheel& a, const PerWheel& b)
 {
   PerWheel gap{};
   for (std::size_t i = 0; i < kWheels; ++i) gap[i] = a[i] - b[i];
-  return greatest(gap);
+  return greatest_magnitude(gap);
 }
 
 }  // namespace
@@ -41,7 +34,11 @@ Interlock::Interlock(const InterlockOptions& options) : options_(options)
 void Interlock::want(Mode mode, const PerWheel& angle)
 {
   if (stage_ == Stage::failed) return;
-  if (mode != mode_) stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
+  if (mode != mode_)
+  {
+    stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
+    waiting_ = 0.0;
+  }
   mode_ = mode;
   angle_ = angle;
   if (greatest_gap(angle_, measured_angle_) > options_.aligned_angle) aligned_ = 0.0;
@@ -50,11 +47,11 @@ void Interlock::want(Mode mode, const PerWheel& angle)
 void Interlock::step(double duration, const WheelMotion& measured)
 {
   measured_angle_ = measured.angle;
-  const bool slow = greatest(measured.speed) < options_.standstill_speed;
+  const bool slow = greatest_magnitude(measured.speed) < options_.standstill_speed;
   const bool near = greatest_gap(angle_, measured_angle_) <= options_.aligned_angle;
   standstill_ = slow ? standstill_ + duration : 0.0;
   aligned_ = near ? aligned_ + duration : 0.0;
-  turning_ = stage_ == Stage::aligning ? turning_ + duration : 0.0;
+  waiting_ = is_waiting() ? waiting_ + duration : 0.0;
   advance();
 }
 
@@ -74,11 +71,16 @@ bool Interlock::aligned() const
   return may_turn() && aligned_ >= options_.aligned_time - kRounding;
 }
 
+bool Interlock::is_waiting() const
+{
+  return stage_ == Stage::coming_to_rest || stage_ == Stage::aligning;
+}
+
 void Interlock::advance()
 {
   if (stage_ == Stage::coming_to_rest && at_standstill()) stage_ = Stage::aligning;
   if (stage_ == Stage::aligning && aligned()) stage_ = Stage::released;
-  if (stage_ == Stage::aligning && turning_ > options_.alignment_timeout) stage_ = Stage::failed;
+  if (is_waiting() && waiting_ > options_.alignment_timeout) stage_ = Stage::failed;
 }
 
 }  // namespace fourwis

@@ -20,7 +20,7 @@ ocp::Options solver_options(bool warm)
   options.tolerance = 1e-5;
   options.acceptable_tolerance = 1e-3;
   options.max_iterations = 30;
-  options.initial_barrier = warm ? 1e-4 : 1e-2;
+  options.initial_barrier = warm ? 1e-3 : 1e-2;
   return options;
 }
 
@@ -60,7 +60,7 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   for (std::size_t k = 0; k < count; ++k)
     times_.push_back(first + (options.horizon - first) * double(k) / double(count - 1));
 
-  const auto weight = [&](double scale) { return std::pow(options.lateral_scale / scale, 2); };
+  const auto weight = [&](double scale) { return 1.0 / (scale * scale); };
   horizon_.state_weight << weight(options.longitudinal_scale), weight(options.lateral_scale),
     weight(options.heading_scale), weight(options.speed_scale), weight(options.steering_scale);
   horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
@@ -107,8 +107,12 @@ void Mpc::set_state_bounds(int k, double v)
 void Mpc::set_interval(const Reference& reference, double t, int k)
 {
   const std::size_t at = static_cast<std::size_t>(k);
-  const ReferencePoint middle = reference.at(t + 0.5 * (times_[at] + times_[at + 1]));
-  horizon_.intervals[at].jacobian = error_model_.jacobian(middle, horizon_.intervals[at].h);
+  const MotionState &from = knots_[at].state, &to = knots_[at + 1].state;
+  const double h = horizon_.intervals[at].h;
+  // The input of a whole interval: the reference's own may change within it.
+  const ReferencePoint middle = {reference.at(t + 0.5 * (times_[at] + times_[at + 1])).state,
+                                 {(to.v - from.v) / h, (to.phi - from.phi) / h}};
+  horizon_.intervals[at].jacobian = error_model_.jacobian(middle, h);
   const double rate =
     std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
   auto& bounds = problem_.bounds[at];
@@ -131,9 +135,9 @@ MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& st
   answer.usable = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
   warm_ = answer.usable;
   if (!answer.usable) return answer;
-  const MotionInput feedforward = reference.at(t + 0.5 * times_[1]).input;
-  answer.input = {feedforward.a + solution.trajectory.controls.front()[0],
-                  feedforward.omega + solution.trajectory.controls.front()[1]};
+  const MotionState &from = knots_[0].state, &to = knots_[1].state;
+  answer.input = {(to.v - from.v) / times_[1] + solution.trajectory.controls.front()[0],
+                  (to.phi - from.phi) / times_[1] + solution.trajectory.controls.front()[1]};
   for (std::size_t k = 0; k < knots_.size(); ++k)
     prediction_[k] = error_model_.pose(solution.trajectory.states[k], knots_[k].state);
   return answer;

@@ -180,9 +180,8 @@ WheelCommand Sequencer::finish_stretch()
 
 bool Sequencer::is_near(const Pose& target) const
 {
-  const double yaw_scale = options_.xy_switch_tolerance / options_.xy_goal_tolerance;
   const double xy = is_last() ? options_.xy_goal_tolerance : options_.xy_switch_tolerance;
-  const double yaw = options_.yaw_goal_tolerance * (is_last() ? 1.0 : yaw_scale);
+  const double yaw = is_last() ? options_.yaw_goal_tolerance : options_.yaw_switch_tolerance;
   return distance(measured_.pose, target) <= xy && std::abs(wrap_angle(measured_.pose.theta - target.theta)) <= yaw;
 }
 

@@ -21,7 +21,7 @@ void check(const char* name, double value, double least, double greatest)
 void check(const TrackOptions& options)
 {
   check("controller_frequency", options.controller_frequency, 5.0, 500.0);
-  check("horizon", options.horizon, 0.2, 10.0);
+  check("horizon", options.horizon, 0.4, 10.0);
   check("knots", options.knots, 2, 200);
   check("horizon * controller_frequency", options.horizon * options.controller_frequency, 2.0, 5000.0);
   for (const auto& [name, scale] : {std::pair("lateral_scale", options.lateral_scale),
@@ -38,6 +38,7 @@ void check(const TrackOptions& options)
   for (const auto& [name, value] : {std::pair("xy_goal_tolerance", options.xy_goal_tolerance),
                                     {"yaw_goal_tolerance", options.yaw_goal_tolerance},
                                     {"xy_switch_tolerance", options.xy_switch_tolerance},
+                                    {"yaw_switch_tolerance", options.yaw_switch_tolerance},
                                     {"correction_speed", options.correction_speed},
                                     {"rest_speed", options.rest_speed},
                                     {"max_lateral_error", options.max_lateral_error},

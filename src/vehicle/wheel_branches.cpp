@@ -42,7 +42,7 @@ struct Branch
 /// The branch nearest to the measured angle of those within the travel; where there is none, that which misses least.
 Branch nearest_branch(const Sweep& sweep, double measured, double travel)
 {
-  const double centre = (sweep.low + sweep.high) / 2.0;
+  const double centre = (sweep.low + sweep.high) / 2.0, reachable = travel + kRounding;
   const double middle = -std::round(centre / M_PI);  // brings the sweep to the middle of the travel
   const int reach = static_cast<int>(travel / M_PI) + 1;
   Branch best{0.0, std::numeric_limits<double>::infinity()};
@@ -50,7 +50,7 @@ Branch nearest_branch(const Sweep& sweep, double measured, double travel)
   for (int k = -reach; k <= reach; ++k)
   {
     const double shift = (middle + k) * M_PI;
-    const double excess = std::max({0.0, sweep.high + shift - travel - kRounding, -travel - kRounding - sweep.low - shift});
+    const double excess = std::max({0.0, sweep.high + shift - reachable, -reachable - sweep.low - shift});
     const double turn = std::abs(sweep.start + shift - measured);
     if (excess > best.excess || (excess == best.excess && turn >= least)) continue;
     best = {shift, excess};

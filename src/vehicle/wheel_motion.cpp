@@ -11,7 +11,7 @@ namespace fourwis
 namespace
 {
 
-/// How fast the wheel rolls for each m/s of the body when it has this angle: its axis' velocity along the wheel's heading.
+/// How fast a wheel of this angle rolls with the twist: the velocity of its axis along its heading.
 double rolling_ratio(const Twist& twist, const WheelPosition& axis, double angle)
 {
   return std::cos(angle) * (twist.vx - twist.omega * axis.y) + std::sin(angle) * (twist.vy + twist.omega * axis.x);
@@ -86,9 +86,9 @@ ModeMotion mode_motion(const Robot& robot, Mode mode, const WheelMotion& wheels,
 
 double limit_speeds(WheelMotion& wheels, double max_speed)
 {
-  double greatest = max_speed;
-  for (double speed : wheels.speed) greatest = std::max(greatest, std::abs(speed));
-  const double factor = max_speed / greatest;
+  const double fastest = greatest_magnitude(wheels.speed);
+  if (fastest <= max_speed) return 1.0;
+  const double factor = max_speed / fastest;
   for (double& speed : wheels.speed) speed *= factor;
   return factor;
 }

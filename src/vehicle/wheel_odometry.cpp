@@ -34,19 +34,28 @@ WheelOdometry::WheelOdometry(const Robot& robot, const WheelTwistOptions& option
 
 OdometryStatus WheelOdometry::update(double stamp, const WheelMotion& wheels)
 {
-  if (!std::isfinite(stamp) || !all_finite(wheels.angle) || !all_finite(wheels.speed)) return OdometryStatus::not_finite;
-  const double interval = stamp - state_.stamp;
-  if (begun_ && interval <= 0.0) return OdometryStatus::not_newer;
+  const OdometryStatus status = judge(stamp, wheels);
+  if (status == OdometryStatus::not_finite || status == OdometryStatus::not_newer) return status;
 
-  const bool integrable = begun_ && interval <= longest_interval_;
-  const TwistEstimate motion = twist_.estimate(wheels, integrable ? rates(last_angle_, wheels.angle, interval) : PerWheel{});
+  const double interval = stamp - state_.stamp;
+  const bool integrable = status == OdometryStatus::integrated;
+  const TwistEstimate motion =
+      twist_.estimate(wheels, integrable ? rates(last_angle_, wheels.angle, interval) : PerWheel{});
   if (integrable) integrate(mean(state_.motion.twist, motion.twist), interval, motion.covariance);
-  const OdometryStatus status = integrable ? OdometryStatus::integrated : begun_ ? OdometryStatus::gap : OdometryStatus::first;
   begun_ = true;
   last_angle_ = wheels.angle;
   state_.stamp = stamp;
   state_.motion = motion;
   return status;
+}
+
+OdometryStatus WheelOdometry::judge(double stamp, const WheelMotion& wheels) const
+{
+  const bool finite = std::isfinite(stamp) && all_finite(wheels.angle) && all_finite(wheels.speed);
+  if (!finite) return OdometryStatus::not_finite;
+  if (!begun_) return OdometryStatus::first;
+  if (stamp <= state_.stamp) return OdometryStatus::not_newer;
+  return stamp - state_.stamp <= longest_interval_ ? OdometryStatus::integrated : OdometryStatus::gap;
 }
 
 void WheelOdometry::set_pose(const Pose& pose)

@@ -71,6 +71,12 @@ TEST(Cia402, EveryHealthyDriveReachesItsGoalAndStaysThere)
     }
 }
 
+TEST(Cia402, KeepingNeverEnables)
+{
+  for (const DriveState state : kHealthy)
+    EXPECT_EQ(after(state, PowerGoal::keep, 5) == DriveState::operation_enabled, state == DriveState::operation_enabled);
+}
+
 TEST(Cia402, QuickStopEndsOperationAtOnce)
 {
   EXPECT_EQ(after(DriveState::operation_enabled, PowerGoal::quick_stop, 1), DriveState::quick_stop_active);
@@ -81,13 +87,14 @@ TEST(Cia402, QuickStopEndsOperationAtOnce)
 TEST(Cia402, OperationIsEnabledFromSwitchedOnOnlyAndFaultsAreNeverReset)
 {
   for (int s = 0; s <= static_cast<int>(DriveState::unknown); ++s)
-    for (const PowerGoal goal : {PowerGoal::off, PowerGoal::on, PowerGoal::quick_stop})
+    for (const PowerGoal goal : {PowerGoal::off, PowerGoal::keep, PowerGoal::on, PowerGoal::quick_stop})
     {
       const auto state = static_cast<DriveState>(s);
       const std::uint16_t word = controlword(state, goal);
       EXPECT_EQ(word & control::fault_reset, 0);
-      const bool is_its_turn = state == DriveState::switched_on || state == DriveState::operation_enabled;
-      EXPECT_EQ(word == control::enable_operation, goal == PowerGoal::on && is_its_turn);
+      const bool enabled = state == DriveState::operation_enabled, next = state == DriveState::switched_on;
+      EXPECT_EQ(word == control::enable_operation,
+                (goal == PowerGoal::on && (enabled || next)) || (goal == PowerGoal::keep && enabled));
     }
 }
 

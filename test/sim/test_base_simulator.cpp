@@ -23,9 +23,7 @@ constexpr Mode kDrivenModes[] = {Mode::ackermann, Mode::lateral, Mode::parallel,
 
 double fastest(const WheelMotion& wheels)
 {
-  double most = 0.0;
-  for (double speed : wheels.speed) most = std::max(most, std::abs(speed));
-  return most;
+  return greatest_magnitude(wheels.speed);
 }
 
 /// Actuators without lag and perfect encoders.
@@ -274,9 +272,11 @@ TEST(BaseSimulator, IsFollowedByTheOdometryOfItsWheels)
   EXPECT_NEAR(odometry.state().pose.theta, robot.base.pose().theta, 0.002 * length);
 }
 
-TEST(BaseSimulator, RefusesOptionsThatMakeNoSense)
+TEST(BaseSimulator, RefusesOptionsAndTimesThatMakeNoSense)
 {
   const Robot robot;
+  EXPECT_THROW(BaseSimulator(robot, {}).step(-0.01), std::invalid_argument);
+  EXPECT_THROW(BaseSimulator(robot, {}).step(NAN), std::invalid_argument);
   SimulatorOptions options;
   options.time_step = 0.0;
   EXPECT_THROW(BaseSimulator(robot, options), std::invalid_argument);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "../support/random.h"
+#include "../support/twist.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 #include "fourwis_navigation/vehicle/wheel_twist.h"
 
@@ -16,13 +17,6 @@ namespace
 
 constexpr unsigned kSeed = 52;
 constexpr DrivenWheels kAllDriven = {true, true, true, true};
-
-void expect_twist(const Twist& twist, const Twist& expected, double accuracy)
-{
-  EXPECT_NEAR(twist.vx, expected.vx, accuracy);
-  EXPECT_NEAR(twist.vy, expected.vy, accuracy);
-  EXPECT_NEAR(twist.omega, expected.omega, accuracy);
-}
 
 struct BodyOnWheels : testing::Test
 {

@@ -134,6 +134,13 @@ TEST_F(InterlockOfWheels, FailsWhenTheyDoNotAlignAndSaysSoUntilReset)
   EXPECT_TRUE(interlock.may_drive());
 }
 
+TEST_F(InterlockOfWheels, FailsWhenTheyDoNotComeToRest)
+{
+  interlock.want(Mode::lateral, all(0.0));
+  pass(5.1, 0.0, 0.3);
+  EXPECT_EQ(interlock.stage(), Stage::failed);
+}
+
 TEST_F(InterlockOfWheels, RefusesOptionsThatMakeNoSense)
 {
   InterlockOptions options;

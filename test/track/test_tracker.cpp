@@ -19,7 +19,7 @@ TEST(Tracker, IdealWheelsKeepToTheTrajectory)
          {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}}})
   {
     const Pose start = {1.0, 2.0, 0.5};
-    Tracker tracker(robot, {});
+    Tracker tracker(robot, ideal_options());
     IdealBase base(robot, start);
     EXPECT_EQ(tracker.accept(trajectory_of(robot, start, pieces)), "");
     const Drive result = drive(tracker, base);

@@ -33,6 +33,14 @@ inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std
   return stop_and_steer(path, robot, speed);
 }
 
+/// A tracker that knows that IdealBase neither lags nor is late.
+inline TrackOptions ideal_options()
+{
+  TrackOptions options;
+  options.command_latency = options.drive_lag = options.steering_lag = 0.0;
+  return options;
+}
+
 /// What a drive was like.
 struct Drive
 {

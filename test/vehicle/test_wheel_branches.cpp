@@ -161,7 +161,7 @@ TEST_F(Branches, OfAWheelThatTurns90DegreesCannotCrossThem)
 {
   robot.wheel_max_angle = 90.0 * kDegree;
   const double left = 20.0 * kDegree;
-  EXPECT_TRUE(choose_branches(robot, {Mode::lateral, left, -left, left}, {}).beyond) << "wheels cross 90 degrees on the way";
+  EXPECT_TRUE(choose_branches(robot, {Mode::lateral, left, -left, left}, {}).beyond) << "wheels cross 90 degrees";
   EXPECT_FALSE(choose_branches(robot, {Mode::lateral, left, 0.0, left}, {}).beyond) << "they do not to one side";
   EXPECT_FALSE(choose_branches(robot, {Mode::ackermann, left, -left, left}, {}).beyond);
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "../support/random.h"
+#include "../support/twist.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis
@@ -18,7 +19,8 @@ constexpr unsigned kSeed = 43;
 
 /// The wheels of a body that moves with the twist, on either branch; each lies `offset` to the left of its axis and
 /// is steered at its rate. Position of the wheel and its derivative, written out.
-WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, double offset = 0.0, const PerWheel& rate = {})
+WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, double offset = 0.0,
+                      const PerWheel& rate = {})
 {
   WheelMotion wheels;
   for (std::size_t i = 0; i < kWheels; ++i)
@@ -33,13 +35,6 @@ WheelMotion wheels_of(const Robot& robot, const Twist& twist, Random& random, do
     wheels.speed[i] = wheel_vx * std::cos(a) + wheel_vy * std::sin(a);
   }
   return wheels;
-}
-
-void expect_twist(const Twist& twist, const Twist& expected, double accuracy)
-{
-  EXPECT_NEAR(twist.vx, expected.vx, accuracy);
-  EXPECT_NEAR(twist.vy, expected.vy, accuracy);
-  EXPECT_NEAR(twist.omega, expected.omega, accuracy);
 }
 
 struct TwistOfWheels : testing::Test

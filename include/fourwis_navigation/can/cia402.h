@@ -49,6 +49,7 @@ inline constexpr std::uint16_t disable_voltage = 0x00, quick_stop = 0x02, shutdo
 enum class PowerGoal : std::uint8_t
 {
   off,        ///< without torque
+  keep,       ///< following its target if it does already, without torque otherwise
   on,         ///< following its target
   quick_stop  ///< braking as fast as it is set up to, then without torque
 };

@@ -15,9 +15,9 @@
 namespace fourwis
 {
 
-/// A 4WIS base without mass: eight actuators, a body that moves as its wheels roll, and what a base does by itself: it stops
-/// when nobody commands it, and turns its wheels at standstill before it drives in another mode. Repeatable: the same
-/// seed and the same calls give the same motion, bit for bit.
+/// A 4WIS base without mass: eight actuators, a body that moves as its wheels roll, and what a base does by itself: it
+/// stops when nobody commands it, and turns its wheels at standstill before it drives in another mode. Repeatable: the
+/// same seed and the same calls give the same motion, bit for bit.
 class BaseSimulator
 {
 public:
@@ -27,11 +27,12 @@ public:
   /// Puts the robot there, at rest; wheels keep their angles, commands on their way are lost.
   void place(const Pose& pose);
 
-  /// Takes effect `command_latency` later, but not while the base is stopping or at fault. Returns false, and ignores it,
-  /// when something in it is no number or its mode none of ours.
+  /// Takes effect `command_latency` later, but not while the base is stopping or at fault. Returns false, and ignores
+  /// it, when something in it is no number or its mode none of ours.
   bool command(const WheelCommand& command);
 
-  /// Lets time pass [s], in whole time steps; what remains is kept for the next call.
+  /// Lets time pass [s], in whole time steps; what remains is kept for the next call. Throws std::invalid_argument for
+  /// time that goes backward.
   void step(double duration);
 
   double time() const { return static_cast<double>(steps_) * options_.time_step; }  ///< since the beginning [s]

@@ -10,7 +10,8 @@
 namespace fourwis
 {
 
-/// What is measured of four wheels: noise first, then steps. Repeatable: a wheel that is frozen takes its noise all the same.
+/// What is measured of four wheels: noise first, then steps. Repeatable: a wheel that is frozen takes its noise all the
+/// same.
 class Encoders
 {
 public:

@@ -14,11 +14,11 @@ class Interlock
 public:
   enum class Stage
   {
-    locked,             ///< no mode: wheels stop and hold their angles
-    coming_to_rest,     ///< they do until they are at standstill
-    aligning,           ///< at rest they turn
-    released,           ///< they turn and drive
-    failed              ///< they did not align in time; locked until reset()
+    locked,          ///< no mode: wheels stop and hold their angles
+    coming_to_rest,  ///< they do until they are at standstill
+    aligning,        ///< at rest they turn
+    released,        ///< they turn and drive
+    failed           ///< they did not come so far in time; locked until reset()
   };
 
   /// Throws std::invalid_argument naming the option, its value and the range.
@@ -41,13 +41,14 @@ public:
   bool aligned() const;
 
 private:
+  bool is_waiting() const;
   void advance();
 
   InterlockOptions options_;
   Stage stage_ = Stage::locked;
   Mode mode_ = Mode::none;
   PerWheel angle_{}, measured_angle_{};
-  double standstill_ = 0.0, aligned_ = 0.0, turning_ = 0.0;  ///< how long it has been so [s]
+  double standstill_ = 0.0, aligned_ = 0.0, waiting_ = 0.0;  ///< how long it has been so [s]
 };
 
 }  // namespace fourwis

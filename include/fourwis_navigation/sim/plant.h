@@ -12,8 +12,8 @@
 namespace fourwis
 {
 
-/// The mechanics of the base: eight actuators and the body on their wheels, without any electronics. Whoever controls it
-/// sets targets and whether an axis has power.
+/// The mechanics of the base: eight actuators and the body on their wheels, without any electronics. Whoever controls
+/// it sets targets and whether an axis has power.
 class Plant
 {
 public:

@@ -36,7 +36,7 @@ struct InterlockOptions
   double standstill_time = 0.1;              ///< for so long [s]
   double aligned_angle = M_PI * 2.0 / 180.0;  ///< every wheel is nearer to its angle when aligned [rad]
   double aligned_time = 0.05;                ///< for so long [s]
-  double alignment_timeout = 5.0;            ///< of a turn at standstill, then it is a fault [s]
+  double alignment_timeout = 5.0;            ///< from the wish for another mode, then it is a fault [s]
 };
 
 /// The simulated base; the keys of config/simulator.yaml.

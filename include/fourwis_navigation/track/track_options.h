@@ -23,14 +23,15 @@ struct TrackOptions
   double steering_rate_scale = 2.0;      ///< of omega [rad/s]
 
   // What is known of the base between a measurement and what a command does.
-  double command_latency = 0.0;  ///< from the measurement to the command that it leads to taking effect [s]
-  double drive_lag = 0.0;        ///< time constant of the wheels' speeds [s]
-  double steering_lag = 0.0;     ///< time constant of the wheels' angles [s]
+  double command_latency = 0.02;  ///< from the measurement to the command that it leads to taking effect [s]
+  double drive_lag = 0.03;       ///< time constant of the wheels' speeds [s]
+  double steering_lag = 0.02;    ///< time constant of the wheels' angles [s]
 
   // Goal and switches.
   double xy_goal_tolerance = 0.01;                ///< distance from the goal at which it is reached [m]
   double yaw_goal_tolerance = 0.5 * M_PI / 180;   ///< likewise [rad]
-  double xy_switch_tolerance = 0.03;              ///< likewise of the place of a switch, which is corrected otherwise [m]
+  double xy_switch_tolerance = 0.03;              ///< likewise from the place of a switch [m]
+  double yaw_switch_tolerance = 0.03;             ///< likewise [rad]
   double correction_speed = 0.1;                  ///< of the creeping motion that removes what is left over [m/s]
   double correction_timeout = 10.0;               ///< it may take that long, alignments included [s]
   double settle_time = 0.5;                       ///< after the end of a stretch, to remove the longitudinal error [s]

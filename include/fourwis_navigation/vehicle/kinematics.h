@@ -13,8 +13,8 @@ struct Twist
   double vx = 0.0, vy = 0.0, omega = 0.0;
 };
 
-/// Body twist of a mode at speed v and equivalent steering angle phi, paper eq. (5) to (7). In spin v is the rolling speed
-/// of each wheel, > 0 to the left, and phi means nothing. Zero for Mode::none.
+/// Body twist of a mode at speed v and equivalent steering angle phi, paper eq. (5) to (7). In spin v is the rolling
+/// speed of each wheel, > 0 to the left, and phi means nothing. Zero for Mode::none.
 Twist body_twist(const Robot& robot, Mode mode, double v, double phi);
 
 /// Distance of the steering axes from C [m]: in spin omega = v / spin_radius.
@@ -60,7 +60,8 @@ private:
 /// wrapped.
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s);
 
-/// Where a body is that keeps the twist for `duration` [s]: the exact arc, the exponential of SE(2). theta is not wrapped.
+/// Where a body is that keeps the twist for `duration` [s]: the exact arc, the exponential of SE(2). theta is not
+/// wrapped.
 Pose move(const Pose& start, const Twist& twist, double duration);
 
 }  // namespace fourwis

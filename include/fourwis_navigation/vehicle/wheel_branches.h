@@ -39,8 +39,8 @@ struct BranchedMotion
 /// the whole stretch and is nearest to the measured angle.
 BranchedMotion choose_branches(const Robot& robot, const SteeringStretch& stretch, const PerWheel& measured);
 
-/// While moving: `motion` with each wheel on the branch nearest to the angle it was last told to have, within its travel or
-/// not at all.
+/// While moving: `motion` with each wheel on the branch nearest to the angle it was last told to have, within its
+/// travel or not at all.
 BranchedMotion continue_branches(const Robot& robot, const WheelMotion& motion, const PerWheel& previous);
 
 }  // namespace fourwis

@@ -46,6 +46,7 @@ public:
   void set_pose(const Pose& pose);
 
 private:
+  OdometryStatus judge(double stamp, const WheelMotion& wheels) const;
   void integrate(const Twist& mean, double interval, const Eigen::Matrix3d& twist_covariance);
 
   WheelTwist twist_;

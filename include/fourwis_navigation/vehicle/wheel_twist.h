@@ -23,15 +23,16 @@ struct WheelTwistOptions
 struct TwistEstimate
 {
   Twist twist;
-  double residual = 0.0;  ///< the slip measure: sqrt(r'r / (equations - 3)) of the velocities r the twist leaves over [m/s]
+  double residual = 0.0;  ///< slip: sqrt(r'r / (equations - 3)) of the velocities r that the twist leaves over [m/s]
   int left_out = -1;      ///< the wheel that was not used, or -1
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (vx, vy, omega)
 };
 
 /// Body twist from four wheels in any mode, spin and lateral included: least squares over
 ///   vx - omega y = s cos(a),   vy + omega x = s sin(a)
-/// of every wheel at (x, y) with angle a and speed s. The normal matrix J'J depends on the positions alone, for all four
-/// wheels and for each three of them. Covariance: (J'J)^-1 times the square of the deviation or, if greater, the residual.
+/// of every wheel at (x, y) with angle a and speed s. The normal matrix J'J depends on the positions alone, for all
+/// four wheels and for each three of them. Covariance: (J'J)^-1 times the square of the deviation or, if greater, the
+/// residual.
 class WheelTwist
 {
 public:
