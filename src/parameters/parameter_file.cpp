@@ -115,4 +115,19 @@ PlannerOptions read_planner_file(const std::string& path)
   return from_file(path, planner_options_from);
 }
 
+TrackOptions read_track_file(const std::string& path)
+{
+  return from_file(path, track_options_from);
+}
+
+SimulatorOptions read_simulator_file(const std::string& path)
+{
+  return from_file(path, simulator_options_from);
+}
+
+can::BridgeOptions read_bridge_file(const std::string& path)
+{
+  return from_file(path, bridge_options_from);
+}
+
 }  // namespace fourwis

@@ -1,5 +1,6 @@
 #include "fourwis_navigation/planner/verify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -8,6 +9,7 @@
 #include "verify_cells.h"
 #include "verify_motion.h"
 #include "verify_promises.h"
+#include "verify_rollout.h"
 
 namespace fourwis
 {
@@ -46,6 +48,34 @@ void check(const VerifyOptions& options)
     require(name, tolerance, 0.0, 1.0);
 }
 
+/// The place at time t on the way from one point towards the next.
+TrajectoryPoint place_between(const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to, double t)
+{
+  TrajectoryPoint place = from;
+  place.t = t;
+  if (from.mode != to.mode) return place;
+  verify::Rollout rollout(robot, from, to);
+  const double share = (t - from.t) / (to.t - from.t);
+  rollout.advance(share);
+  place.x = rollout.x();
+  place.y = rollout.y();
+  place.theta = rollout.theta();
+  place.v += share * (to.v - from.v);
+  place.phi += share * (to.phi - from.phi);
+  return place;
+}
+
+/// What is left of a trajectory at time t.
+Trajectory rest_of(const Robot& robot, const Trajectory& trajectory, double t)
+{
+  const auto next = std::find_if(trajectory.begin(), trajectory.end(), [t](const auto& point) { return point.t > t; });
+  if (next == trajectory.begin()) return trajectory;
+  if (next == trajectory.end()) return {trajectory.back()};
+  Trajectory rest{place_between(robot, *std::prev(next), *next, t)};
+  rest.insert(rest.end(), next, trajectory.end());
+  return rest;
+}
+
 }  // namespace
 
 Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const VerifyOptions& options)
@@ -71,6 +101,20 @@ Verdict Referee::judge(const Pose& start, const Pose& goal, const Trajectory& tr
   }
   verdict.violations = report.sorted();
   return verdict;
+}
+
+std::optional<Violation> Referee::first_violation_from(double t, const Trajectory& accepted) const
+{
+  if (accepted.empty()) return std::nullopt;
+  const Trajectory rest = rest_of(robot_, accepted, t);
+  Verdict verdict;
+  verify::Report report;
+  verify::check_motion({robot_, options_, rest, report}, *cells_, verdict);
+  const std::vector<Violation> violations = report.sorted();
+  if (violations.empty()) return std::nullopt;
+  Violation first = violations.front();
+  first.point += static_cast<int>(accepted.size() - rest.size());
+  return first;
 }
 
 }  // namespace fourwis

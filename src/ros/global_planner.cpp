@@ -14,7 +14,9 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
     planner_(Planner(parameters.robot, parameters.planner), maps_,
              parameters.node.show_expansions || parameters.node.show_corridors),
     diagnostics_(maps_, topics_),
-    goals_(poses_, planner_, parameters.node.modes, topics_),
+    drive_(parameters.node.controller_patience),
+    execution_(parameters.node, poses_, maps_, planner_, drive_, topics_),
+    goals_(parameters.node, poses_, execution_, topics_),
     services_(poses_, planner_, parameters.node.modes, goals_, topics_)
 {
   ros::NodeHandle node;
@@ -22,6 +24,10 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
     "map", 10, [this](const nav_msgs::OccupancyGridConstPtr& map) { maps_.add(map); });
   update_subscriber_ = node.subscribe<map_msgs::OccupancyGridUpdate>(
     "map_updates", 100, [this](const map_msgs::OccupancyGridUpdateConstPtr& update) { maps_.add(update); });
+  if (parameters.node.wait_for_controller)
+    tracking_subscriber_ = node.subscribe<fourwis_navigation::Tracking>(
+      "tracking", 100, [this](const fourwis_navigation::TrackingConstPtr& tracking)
+      { drive_.reported(*tracking, ros::Time::now()); });
   if (parameters.node.start_from == StartFrom::initial_pose)
     initial_pose_subscriber_ = node.subscribe("initialpose", 10, &GlobalPlanner::on_initial_pose, this);
 }

@@ -1,75 +1,104 @@
 #include "fourwis_navigation/ros/goal_server.h"
 
 #include "fourwis_navigation/ros/conversions.h"
+#include "fourwis_navigation/ros/plausible_stamp.h"
 
 namespace fourwis
 {
+namespace
+{
 
-GoalServer::GoalServer(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, PlannerTopics& topics)
-  : poses_(poses),
-    planner_(planner),
-    modes_(modes),
+const ros::Duration kFeedbackPeriod(0.1);
+
+}  // namespace
+
+GoalServer::GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, Execution& execution,
+                       PlannerTopics& topics)
+  : stamp_tolerance_(options.transform_tolerance),
+    poses_(poses),
+    execution_(execution),
     topics_(topics),
     action_server_(
       node_, "move_base", [this](GoalHandle goal) { on_action_goal(goal); },
       [this](GoalHandle goal) { on_action_cancel(goal); }, false)
 {
+  current_goal_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 10);
   goal_subscriber_ = node_.subscribe<geometry_msgs::PoseStamped>(
     "move_base_simple/goal", 10,
     [this](const geometry_msgs::PoseStampedConstPtr& goal) { start(*goal, std::nullopt); });
+  feedback_timer_ = node_.createTimer(kFeedbackPeriod, [this](const ros::TimerEvent&) { publish_feedback(); });
   action_server_.start();
+}
+
+bool GoalServer::cancel()
+{
+  const bool pursued = worker_.cancel();
+  worker_.submit([this](const std::atomic<bool>&) { execution_.halt(); });
+  return pursued;
 }
 
 void GoalServer::on_action_goal(GoalHandle goal)
 {
-  goal.setAccepted("planning");
-  if (const PlanWorker::Ticket ticket = start(goal.getGoal()->target_pose, goal)) active_ = Active{goal, ticket};
+  goal.setAccepted("accepted");
+  start(goal.getGoal()->target_pose, goal);
 }
 
 void GoalServer::on_action_cancel(GoalHandle goal)
 {
   // Goals before the newest are cancelled already.
-  if (active_ && active_->goal == goal) *active_->ticket = true;
+  if (active_ && *active_ == goal) cancel();
 }
 
-PlanWorker::Ticket GoalServer::start(const geometry_msgs::PoseStamped& goal, std::optional<GoalHandle> action)
+void GoalServer::start(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action)
 {
   try
   {
-    const PlanRequest request{poses_.robot(ros::Time::now()), poses_.to_global(goal, "goal"), modes_};
-    return worker_.submit([this, goal, request, action](const std::atomic<bool>& cancelled)
-                          { run(goal, request, action, cancelled); });
+    const Goal goal = accept(asked);
+    active_ = action;
+    publish_feedback();
+    worker_.submit([this, goal, action](const std::atomic<bool>& cancelled) { pursue(goal, action, cancelled); });
   }
   catch (const ConversionError& error)
   {
-    topics_.publish_refusal(goal, error.what());
+    topics_.publish_refusal(asked, error.what());
     if (action) action->setAborted({}, error.what());
-    return nullptr;
   }
 }
 
-void GoalServer::run(const geometry_msgs::PoseStamped& goal, const PlanRequest& request,
-                     std::optional<GoalHandle> action, const std::atomic<bool>& cancelled)
+Goal GoalServer::accept(const geometry_msgs::PoseStamped& asked) const
 {
-  topics_.publish_planning(goal);
-  if (action) publish_feedback(request.start, *action);
-  const PlanAnswer answer = planner_.plan(request, cancelled);
-  topics_.publish(goal, answer);
+  geometry_msgs::PoseStamped goal = poses_.in_global(asked, "goal");
+  goal.header.stamp = plausible(asked.header.stamp, ros::Time::now(), stamp_tolerance_);
+  current_goal_.publish(goal);
+  return {asked, poses_.to_global(goal, "goal"), goal.header.stamp};
+}
+
+void GoalServer::pursue(const Goal& goal, std::optional<GoalHandle> action, const std::atomic<bool>& cancelled)
+{
+  const GoalOutcome outcome = execution_.pursue(goal, cancelled);
   if (!action) return;
-  switch (answer.result.status)
+  switch (outcome.end)
   {
-    case PlanStatus::succeeded: action->setSucceeded({}, answer.result.message); return;
-    case PlanStatus::cancelled: action->setCanceled({}, answer.result.message); return;
-    default: action->setAborted({}, answer.result.message);
+    case GoalOutcome::End::reached: action->setSucceeded({}, outcome.message); return;
+    case GoalOutcome::End::cancelled: action->setCanceled({}, outcome.message); return;
+    case GoalOutcome::End::failed: action->setAborted({}, outcome.message); return;
   }
 }
 
-void GoalServer::publish_feedback(const Pose& robot, GoalHandle action) const
+void GoalServer::publish_feedback()
 {
+  if (!active_ || active_->getGoalStatus().status != actionlib_msgs::GoalStatus::ACTIVE) return;
   move_base_msgs::MoveBaseFeedback feedback;
   feedback.base_position.header = topics_.header();
-  feedback.base_position.pose = to_message(robot);
-  action.publishFeedback(feedback);
+  try
+  {
+    feedback.base_position.pose = to_message(poses_.robot(feedback.base_position.header.stamp));
+    active_->publishFeedback(feedback);
+  }
+  catch (const ConversionError&)
+  {
+    // Nothing to tell while nobody knows where the robot is; what depends on it says so itself.
+  }
 }
 
 }  // namespace fourwis

@@ -40,15 +40,17 @@ PlannerTopics::PlannerTopics(const GlobalPlannerOptions& options, const Robot& r
   publish_status(idle);
 }
 
-void PlannerTopics::publish_planning(const geometry_msgs::PoseStamped& goal)
+void PlannerTopics::publish_progress(const geometry_msgs::PoseStamped& goal, std::uint8_t state,
+                                     const std::string& name, const std::string& message)
 {
-  PlannerStatus planning = status(PlannerStatus::PLANNING, goal);
-  planning.status = "planning";
-  planning.message = "planning";
-  publish_status(planning);
+  PlannerStatus progress = status(state, goal);
+  progress.status = name;
+  progress.message = message;
+  publish_status(progress);
 }
 
-void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer)
+void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer,
+                            const ros::Time& begin)
 {
   if (answer.result.status != PlanStatus::succeeded)
   {
@@ -56,13 +58,18 @@ void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAn
     publish_failure(goal, "", answer);
     return;
   }
-  publish_plan(answer);
+  publish_plan(answer, begin);
   PlannerStatus done = status(PlannerStatus::SUCCEEDED, goal);
   done.status = to_string(answer.result.status);
   done.message = answer.result.message;
   done.map_stamp = answer.map_stamp;
   done.metrics = to_message(answer.result.metrics);
   publish_status(done);
+}
+
+void PlannerTopics::publish_stop(const ros::Time& begin)
+{
+  publish_trajectory({}, begin);
 }
 
 void PlannerTopics::publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by,
@@ -98,13 +105,13 @@ PlannerStatus PlannerTopics::last_status() const
   return last_status_;
 }
 
-void PlannerTopics::publish_plan(const PlanAnswer& answer)
+void PlannerTopics::publish_plan(const PlanAnswer& answer, const ros::Time& begin)
 {
   const std_msgs::Header now = header();
   const std::lock_guard<std::mutex> lock(mutex_);
   markers_ = plan_markers(robot_, answer.request, answer.result.trajectory, now);
   if (show_expansions_) markers_.markers.push_back(expansion_marker(answer.trace, now));
-  trajectory_.publish(to_message(answer.result.trajectory, now));
+  publish_trajectory(answer.result.trajectory, begin);
   plan_.publish(to_path_message(answer.result.trajectory, now));
   frontend_plan_.publish(to_path_message(robot_, answer.result.path, now));
   marker_.publish(markers_);
@@ -112,6 +119,13 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer)
   visualization_msgs::MarkerArray corridors;
   corridors.markers = {corridor_marker(answer.trace.corridors(), answer.request.start, now)};
   corridors_.publish(corridors);
+}
+
+void PlannerTopics::publish_trajectory(const Trajectory& trajectory, const ros::Time& begin)
+{
+  std_msgs::Header named = header();
+  named.stamp = begin;
+  trajectory_.publish(to_message(trajectory, named));
 }
 
 void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)

@@ -12,13 +12,18 @@ namespace fourwis
 namespace
 {
 
-/// A robot on a ramp is tilted, and localisation says so; steeper than this, its transform is wrong [rad].
-constexpr double kMaxRobotTilt = 0.35;
-
 /// tf2 knows frames without the leading slash that older tools still write.
 std::string without_slash(const std::string& frame)
 {
   return frame.compare(0, 1, "/") == 0 ? frame.substr(1) : frame;
+}
+
+/// What the robot's pose is called in errors.
+constexpr const char* kStartPose = "start pose";
+
+Pose robot_pose(const geometry_msgs::TransformStamped& transform)
+{
+  return to_pose(transform.transform, "start pose (from tf)", kMaxRobotTilt);
 }
 
 }  // namespace
@@ -27,17 +32,27 @@ PoseSource::PoseSource(const GlobalPlannerOptions& options, const tf2::BufferCor
 
 Pose PoseSource::to_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const
 {
+  return to_pose(in_global(pose, name).pose, name);
+}
+
+geometry_msgs::PoseStamped PoseSource::in_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const
+{
   const std::string frame = without_slash(pose.header.frame_id);
   if (frame.empty())
     throw ConversionError(name + ": header.frame_id is empty, expected a frame, for example '" +
                           options_.global_frame + "'");
-  if (frame == options_.global_frame) return to_pose(pose.pose, name);
-
+  geometry_msgs::PoseStamped global = pose;
+  global.header.frame_id = options_.global_frame;
+  if (frame == options_.global_frame)
+  {
+    to_pose(pose.pose, name);
+    return global;
+  }
   // Checked before it is transformed, too: tf2 makes a rotation of any four numbers.
   to_pose(pose.pose, name, M_PI);
-  geometry_msgs::Pose transformed;
-  tf2::doTransform(pose.pose, transformed, lookup(frame, name));
-  return to_pose(transformed, name + " (from '" + frame + "')");
+  tf2::doTransform(pose.pose, global.pose, lookup(frame, name));
+  to_pose(global.pose, name + " (from '" + frame + "')");
+  return global;
 }
 
 Pose PoseSource::robot(const ros::Time& now) const
@@ -47,6 +62,20 @@ Pose PoseSource::robot(const ros::Time& now) const
   if (!initial_)
     throw ConversionError("start pose: none received yet on topic 'initialpose' (start_from is 'initialpose')");
   return *initial_;
+}
+
+Pose PoseSource::robot_at(const ros::Time& time, const std::atomic<bool>& cancelled) const
+{
+  if (options_.start_from == StartFrom::initial_pose || !wait_for_robot(time, cancelled)) return robot(time);
+  return robot_pose(lookup(options_.robot_base_frame, kStartPose, time));
+}
+
+bool PoseSource::wait_for_robot(const ros::Time& time, const std::atomic<bool>& cancelled) const
+{
+  const auto known = [&] { return tf_.canTransform(options_.global_frame, options_.robot_base_frame, time); };
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options_.transform_tolerance);
+  while (!known() && !cancelled && ros::WallTime::now() < end) ros::WallDuration(0.002).sleep();
+  return known();
 }
 
 void PoseSource::set_initial(const geometry_msgs::PoseWithCovarianceStamped& pose)
@@ -61,30 +90,26 @@ void PoseSource::set_initial(const geometry_msgs::PoseWithCovarianceStamped& pos
 
 Pose PoseSource::robot_from_tf(const ros::Time& now) const
 {
-  const geometry_msgs::TransformStamped transform = lookup(options_.robot_base_frame, "start pose");
+  const geometry_msgs::TransformStamped transform = lookup(options_.robot_base_frame, kStartPose);
   const ros::Duration age = now - transform.header.stamp;
   // A chain of static transforms has no stamp and does not age.
   if (!transform.header.stamp.isZero() && age.toSec() > options_.transform_tolerance)
   {
     std::ostringstream text;
-    text << "start pose: the transform from '" << options_.robot_base_frame << "' to '" << options_.global_frame
+    text << kStartPose << ": the transform from '" << options_.robot_base_frame << "' to '" << options_.global_frame
          << "' is " << age.toSec() << " s old, expected at most transform_tolerance = " << options_.transform_tolerance
          << " s";
     throw ConversionError(text.str());
   }
-  geometry_msgs::Pose pose;
-  pose.position.x = transform.transform.translation.x;
-  pose.position.y = transform.transform.translation.y;
-  pose.position.z = transform.transform.translation.z;
-  pose.orientation = transform.transform.rotation;
-  return to_pose(pose, "start pose (from tf)", kMaxRobotTilt);
+  return robot_pose(transform);
 }
 
-geometry_msgs::TransformStamped PoseSource::lookup(const std::string& frame, const std::string& name) const
+geometry_msgs::TransformStamped PoseSource::lookup(const std::string& frame, const std::string& name,
+                                                   const ros::Time& time) const
 {
   try
   {
-    return tf_.lookupTransform(options_.global_frame, frame, ros::Time(0));
+    return tf_.lookupTransform(options_.global_frame, frame, time);
   }
   catch (const tf2::TransformException& error)
   {

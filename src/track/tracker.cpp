@@ -1,1 +1,69 @@
 #include "fourwis_navigation/track/tracker.h"
+
+#include "check_trajectory.h"
+#include "sequencer.h"
+
+namespace fourwis
+{
+
+namespace
+{
+
+std::string text(const Trouble& trouble)
+{
+  Sentence sentence;
+  write(trouble, sentence);
+  return sentence.data();
+}
+
+}  // namespace
+
+class Tracker::Implementation
+{
+public:
+  Implementation(const Robot& robot, const TrackOptions& options) : robot(robot), sequencer(robot, options) {}
+
+  const Robot robot;
+  Sequencer sequencer;
+};
+
+Tracker::Tracker(const Robot& robot, const TrackOptions& options)
+{
+  check(options);
+  implementation_ = std::make_unique<Implementation>(robot, options);
+}
+
+Tracker::~Tracker() = default;
+
+std::string Tracker::accept(const Trajectory& trajectory)
+{
+  Implementation& self = *implementation_;
+  if (trajectory.empty())
+  {
+    stop();
+    return {};
+  }
+  std::string complaint = check_trajectory(self.robot, trajectory);
+  if (complaint.empty()) complaint = text(self.sequencer.judge_start(trajectory.front().pose()));
+  if (!complaint.empty()) return complaint;
+  Mission mission = mission_of(self.robot, trajectory);
+  self.sequencer.take(mission);
+  return {};
+}
+
+void Tracker::stop()
+{
+  implementation_->sequencer.stop();
+}
+
+TrackOutput Tracker::step(const TrackInput& input)
+{
+  return implementation_->sequencer.step(input);
+}
+
+const std::vector<Pose>& Tracker::prediction() const
+{
+  return implementation_->sequencer.prediction();
+}
+
+}  // namespace fourwis

@@ -15,6 +15,11 @@ double curvature(const Robot& robot, Mode mode, double phi)
   }
 }
 
+double spin_radius(const Robot& robot)
+{
+  return std::hypot(robot.wheelbase, robot.track_width) / 2.0;
+}
+
 double max_curvature(const Robot& robot, Mode mode)
 {
   return curvature(robot, mode, robot.max_steering_angle);
@@ -37,6 +42,7 @@ Twist body_twist(const Robot& robot, Mode mode, double v, double phi)
     case Mode::ackermann: return {v, 0.0, v * curvature(robot, mode, phi)};
     case Mode::lateral: return {0.0, v, v * curvature(robot, mode, phi)};
     case Mode::parallel: return {v * std::cos(phi), v * std::sin(phi), 0.0};
+    case Mode::spin: return {0.0, 0.0, v / spin_radius(robot)};
     default: return {};
   }
 }
@@ -70,6 +76,16 @@ Pose Arc::pose(double s) const
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s)
 {
   return Arc(robot, start, mode, phi).pose(s);
+}
+
+Pose move(const Pose& start, const Twist& twist, double duration)
+{
+  const double turn = twist.omega * duration, x = twist.vx * duration, y = twist.vy * duration;
+  // sin(turn) / turn and (1 - cos(turn)) / turn, which cancel for small angles.
+  const bool small = std::abs(turn) < 1e-4;
+  const double along = small ? 1.0 - turn * turn / 6.0 : std::sin(turn) / turn;
+  const double across = small ? turn / 2.0 : (1.0 - std::cos(turn)) / turn;
+  return compose(start, {along * x - across * y, across * x + along * y, turn});
 }
 
 }  // namespace fourwis

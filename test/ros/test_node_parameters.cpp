@@ -42,6 +42,10 @@ TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
   EXPECT_EQ(options.transform_tolerance, defaults.transform_tolerance);
   EXPECT_EQ(options.start_from, defaults.start_from);
   EXPECT_TRUE(options.modes.ackermann && options.modes.lateral && options.modes.parallel);
+  EXPECT_EQ(options.wait_for_controller, defaults.wait_for_controller);
+  EXPECT_EQ(options.controller_patience, defaults.controller_patience);
+  EXPECT_EQ(options.replan_attempts, defaults.replan_attempts);
+  EXPECT_EQ(options.start_delay, defaults.start_delay);
   EXPECT_EQ(options.show_expansions, defaults.show_expansions);
   EXPECT_EQ(options.show_corridors, defaults.show_corridors);
 }
@@ -54,6 +58,10 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   parameters["transform_tolerance"] = 1.5;
   parameters["start_from"] = std::string("initialpose");
   parameters["modes"] = std::string("parallel,ackermann");
+  parameters["wait_for_controller"] = true;
+  parameters["controller_patience"] = 3.0;
+  parameters["replan_attempts"] = 5.0;
+  parameters["start_delay"] = 0.5;
   parameters["show_expansions"] = true;
   parameters["show_corridors"] = true;
   parameters["robot/length"] = 1.25;
@@ -64,6 +72,10 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.node.transform_tolerance, 1.5);
   EXPECT_EQ(read.node.start_from, StartFrom::initial_pose);
   EXPECT_TRUE(read.node.modes.ackermann && !read.node.modes.lateral && read.node.modes.parallel);
+  EXPECT_TRUE(read.node.wait_for_controller);
+  EXPECT_EQ(read.node.controller_patience, 3.0);
+  EXPECT_EQ(read.node.replan_attempts, 5);
+  EXPECT_EQ(read.node.start_delay, 0.5);
   EXPECT_TRUE(read.node.show_expansions);
   EXPECT_TRUE(read.node.show_corridors);
   EXPECT_EQ(read.robot.length, 1.25);
@@ -98,6 +110,9 @@ TEST(NodeParameters, a_value_out_of_range_or_of_another_type_is_refused_with_wha
   EXPECT_TRUE(says(error_with("start_from", std::string("nowhere")), "'nowhere', expected 'tf' or 'initialpose'"));
   EXPECT_TRUE(says(error_with("modes", std::string("ackermann,sideways")), "ackermann, lateral and parallel"));
   EXPECT_TRUE(says(error_with("modes", std::string("")), "ackermann, lateral and parallel"));
+  EXPECT_TRUE(says(error_with("wait_for_controller", std::string("mpc")), "true or false"));
+  EXPECT_TRUE(says(error_with("replan_attempts", 1.5), "'replan_attempts' is 1.5, expected a whole number of attempts"));
+  EXPECT_TRUE(says(error_with("replan_attempts", -1.0), "a number from 0 to 100 attempts"));
   EXPECT_TRUE(says(error_with("show_expansions", 1.0), "true or false"));
   EXPECT_TRUE(says(error_with("show_corridors", std::string("yes")), "true or false"));
   EXPECT_TRUE(says(error_with("global_frame", std::string("")), "name of a tf frame"));

@@ -1,5 +1,7 @@
+#include <atomic>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -129,6 +131,50 @@ TEST_F(PoseSourceTest, a_static_transform_does_not_age)
 {
   tf_.setTransform(transform("map", "base_link", {1, 2, 0}, ros::Time(10.0)), "test", true);
   expect_pose(source(StartFrom::tf).robot(ros::Time(1000.0)), {1, 2, 0});
+}
+
+TEST_F(PoseSourceTest, where_the_robot_was_lies_between_two_transforms_whatever_came_later)
+{
+  const std::atomic<bool> cancelled{false};
+  tf_.setTransform(transform("map", "base_link", {1, 0, 0.2}, ros::Time(10.0)), "test");
+  tf_.setTransform(transform("map", "base_link", {2, 1, 0.4}, ros::Time(10.1)), "test");
+  const PoseSource poses = source(StartFrom::tf);
+  const Pose then = poses.robot_at(ros::Time(10.05), cancelled);
+  expect_pose(then, {1.5, 0.5, 0.3});
+  tf_.setTransform(transform("map", "base_link", {7, 7, 0}, ros::Time(10.2)), "test");
+  const Pose again = poses.robot_at(ros::Time(10.05), cancelled);
+  EXPECT_EQ(again.x, then.x);
+  EXPECT_EQ(again.y, then.y);
+  EXPECT_EQ(again.theta, then.theta);
+}
+
+TEST_F(PoseSourceTest, where_the_robot_is_now_is_waited_for)
+{
+  const std::atomic<bool> cancelled{false};
+  tf_.setTransform(transform("map", "base_link", {1, 0, 0}, ros::Time(10.0)), "test");
+  auto pose = std::async(std::launch::async, [&] { return source(StartFrom::tf).robot_at(ros::Time(10.2), cancelled); });
+  tf_.setTransform(transform("map", "base_link", {1.3, 0, 0}, ros::Time(10.3)), "test");
+  expect_pose(pose.get(), {1.2, 0, 0});
+}
+
+TEST_F(PoseSourceTest, where_localisation_lags_behind_the_newest_transform_will_do_within_the_tolerance)
+{
+  const std::atomic<bool> cancelled{false};
+  tf_.setTransform(transform("map", "base_link", {1, 0, 0}, ros::Time(10.0)), "test");
+  const PoseSource poses = source(StartFrom::tf);
+  expect_pose(poses.robot_at(ros::Time(10.4), cancelled), {1, 0, 0});
+  EXPECT_TRUE(says(error_of<ConversionError>([&] { poses.robot_at(ros::Time(10.6), cancelled); }), "is 0.6 s old"));
+}
+
+TEST_F(PoseSourceTest, a_pose_taken_to_the_global_frame_is_the_same_pose_there_to_the_last_bit)
+{
+  tf_.setTransform(transform("map", "odom", {0.1, 0.7, 0.3}, ros::Time(10.0)), "test");
+  const PoseSource poses = source(StartFrom::tf);
+  const geometry_msgs::PoseStamped goal = stamped("odom", {2.1, 1.3, 0.25});
+  const Pose direct = poses.to_global(goal, "goal"), again = poses.to_global(poses.in_global(goal, "goal"), "goal");
+  EXPECT_EQ(direct.x, again.x);
+  EXPECT_EQ(direct.y, again.y);
+  EXPECT_EQ(direct.theta, again.theta);
 }
 
 TEST_F(PoseSourceTest, without_a_transform_the_start_is_refused_by_name)

@@ -177,13 +177,40 @@ TEST_F(Kinematics, TheGreatestCurvaturesAreThoseOfThePaper)
   EXPECT_EQ(max_curvature(robot, Mode::parallel), 0.0);
 }
 
-TEST_F(Kinematics, ModesThatAreNotPlannedDoNotMove)
+TEST_F(Kinematics, SpinTurnsInPlaceAndNoneStandsStill)
 {
-  for (Mode mode : {Mode::none, Mode::spin})
+  const Twist spin = body_twist(robot, Mode::spin, 0.5, 0.2), none = body_twist(robot, Mode::none, 1.0, 0.2);
+  EXPECT_EQ(std::hypot(spin.vx, spin.vy), 0.0);
+  EXPECT_NEAR(spin.omega * std::hypot(robot.wheelbase / 2.0, robot.track_width / 2.0), 0.5, kAccuracy);
+  EXPECT_EQ(std::hypot(none.vx, none.vy, none.omega), 0.0);
+}
+
+TEST_F(Kinematics, MovingWithTheTwistOfAModeIsItsArc)
+{
+  for (const Motion& motion : motions)
   {
-    const Twist twist = body_twist(robot, mode, 1.0, 0.2);
-    EXPECT_EQ(std::hypot(twist.vx, twist.vy), 0.0);
-    EXPECT_EQ(twist.omega, 0.0);
+    SCOPED_TRACE(text(motion));
+    const double speed = 0.7;
+    expect_near(move(motion.start, body_twist(robot, motion.mode, speed, motion.phi), motion.length / speed),
+                end_of(motion));
+  }
+}
+
+TEST_F(Kinematics, MovingWithAnyTwistIsTheLimitOfSmallSteps)
+{
+  Random random(kSeed);
+  for (int k = 0; k < 50; ++k)
+  {
+    const Pose start = random.pose(5.0);
+    const Twist twist = {random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-2.0, 2.0)};
+    constexpr int kSteps = 20000;
+    const double duration = random.between(0.0, 2.0), dt = duration / kSteps;
+    Pose pose = start;
+    for (int i = 0; i < kSteps; ++i)
+      pose = compose(pose, {twist.vx * dt, twist.vy * dt, twist.omega * dt});
+    const Pose moved = move(start, twist, duration);
+    EXPECT_LT(distance(moved, pose), 1e-3);
+    EXPECT_NEAR(moved.theta, pose.theta, kAccuracy);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,10 @@ public:
 
   /// Never throws on a bad trajectory, whatever is in it: NaN, empty, times running backward are violations.
   Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
+
+  /// The first promise about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted
+  /// on another grid: where the body would meet what has been added since.
+  std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
 
 private:
   std::shared_ptr<const verify::ObstacleCells> cells_;

@@ -5,6 +5,8 @@
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
+#include "fourwis_navigation/ros/drive_monitor.h"
+#include "fourwis_navigation/ros/execution.h"
 #include "fourwis_navigation/ros/goal_server.h"
 #include "fourwis_navigation/ros/map_planner.h"
 #include "fourwis_navigation/ros/map_store.h"
@@ -35,9 +37,11 @@ private:
   MapStore maps_;
   MapPlanner planner_;
   PlannerDiagnostics diagnostics_;
+  DriveMonitor drive_;
+  Execution execution_;
   GoalServer goals_;
   PlanServices services_;
-  ros::Subscriber map_subscriber_, update_subscriber_, initial_pose_subscriber_;
+  ros::Subscriber map_subscriber_, update_subscriber_, initial_pose_subscriber_, tracking_subscriber_;
 };
 
 }  // namespace fourwis

@@ -6,9 +6,11 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <ros/subscriber.h>
+#include <ros/timer.h>
 
-#include "fourwis_navigation/ros/map_planner.h"
+#include "fourwis_navigation/ros/execution.h"
 #include "fourwis_navigation/ros/plan_worker.h"
 #include "fourwis_navigation/ros/planner_topics.h"
 #include "fourwis_navigation/ros/pose_source.h"
@@ -16,44 +18,40 @@
 namespace fourwis
 {
 
-/// Goals from the topic `move_base_simple/goal` and from the action `move_base`, treated alike: each is planned on the
-/// one worker thread from where the robot is when the goal arrives, and a new one interrupts the one before. A goal
-/// that is refused for its form leaves a running plan alone.
+/// Goals from the topic `move_base_simple/goal` and from the action `move_base`, treated alike: each is pursued on the one
+/// worker thread, and a new one takes the place of the one before. A goal that is refused for its form leaves a running
+/// one alone. Accepted goals are published on `~current_goal` in the global frame, stamped with the time from which they
+/// count: what a bag replays as goals.
 class GoalServer
 {
 public:
   /// All must outlive this.
-  GoalServer(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, PlannerTopics& topics);
+  GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, Execution& execution, PlannerTopics& topics);
 
-  /// Ends the plan that runs; whether there was one. From any thread.
-  bool cancel() { return worker_.cancel(); }
+  /// Ends the goal that is pursued and stops the robot; whether there was one. From the thread of the callbacks.
+  bool cancel();
 
 private:
   using ActionServer = actionlib::ActionServer<move_base_msgs::MoveBaseAction>;
   using GoalHandle = ActionServer::GoalHandle;
 
-  /// An action goal that may still be cancelled.
-  struct Active
-  {
-    GoalHandle goal;
-    PlanWorker::Ticket ticket;
-  };
-
   void on_action_goal(GoalHandle goal);
   void on_action_cancel(GoalHandle goal);
   /// `action` is empty for a goal of the topic.
-  PlanWorker::Ticket start(const geometry_msgs::PoseStamped& goal, std::optional<GoalHandle> action);
-  void run(const geometry_msgs::PoseStamped& goal, const PlanRequest& request, std::optional<GoalHandle> action,
-           const std::atomic<bool>& cancelled);
-  void publish_feedback(const Pose& robot, GoalHandle action) const;
+  void start(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action);
+  Goal accept(const geometry_msgs::PoseStamped& asked) const;
+  void pursue(const Goal& goal, std::optional<GoalHandle> action, const std::atomic<bool>& cancelled);
+  void publish_feedback();
 
+  const double stamp_tolerance_;
   const PoseSource& poses_;
-  const MapPlanner& planner_;
-  const ModeSet modes_;
+  Execution& execution_;
   PlannerTopics& topics_;
-  std::optional<Active> active_;
+  std::optional<GoalHandle> active_;  ///< the action goal that was accepted last, unless one of the topic came later
   ros::NodeHandle node_;
+  ros::Publisher current_goal_;
   ros::Subscriber goal_subscriber_;
+  ros::Timer feedback_timer_;
   ActionServer action_server_;
   PlanWorker worker_;  ///< last: what it runs uses all of the above
 };

@@ -27,6 +27,10 @@ struct GlobalPlannerOptions
   double transform_tolerance = 0.5;            ///< greatest age of the robot's transform [s]
   StartFrom start_from = StartFrom::tf;
   ModeSet modes;                               ///< what goals are planned with
+  bool wait_for_controller = false;            ///< whether there is a controller, whose reports say how goals end
+  double controller_patience = 5.0;            ///< how long it may say nothing, begin late, or take to stop [s]
+  int replan_attempts = 2;                     ///< new plans for a goal after the controller has given one up
+  double start_delay = 0.2;                    ///< from the time a plan starts from to the time it begins [s]
   bool show_expansions = false;                ///< draw the nodes that the search expanded
   bool show_corridors = false;                 ///< draw the regions that the optimisation kept the disc centres in
 };
@@ -57,10 +61,25 @@ public:
   std::string text(const std::string& key, const std::string& fallback);
   double number(const std::string& key, double min, double max, const std::string& unit);
   double number(const std::string& key, double min, double max, const std::string& unit, double fallback);
+  int count(const std::string& key, int min, int max, const std::string& unit);
   bool flag(const std::string& key);
+  /// The name of a tf frame.
+  std::string frame(const std::string& key);
 
-  /// All keys below `name/`, without that prefix.
-  ParameterMap group(const std::string& name);
+  /// What `read` makes of all keys below `name/`, without that prefix; its ConfigErrors name the group, too.
+  template <class Read>
+  auto group(const std::string& name, Read read)
+  {
+    const ParameterMap members = take_group(name);
+    try
+    {
+      return read(members);
+    }
+    catch (const ConfigError& error)
+    {
+      throw ConfigError("in '" + name + "': " + error.what());
+    }
+  }
   /// Keys that may be there and are for somebody else.
   void ignore(const std::vector<std::string>& keys);
   /// Throws ConfigError naming the first key that nobody took.
@@ -69,6 +88,7 @@ public:
 private:
   bool has(const std::string& key) const { return parameters_.count(key) != 0; }
   ParameterValue take(const std::string& key);
+  ParameterMap take_group(const std::string& name);
 
   ParameterMap parameters_;
   std::vector<std::string> known_;

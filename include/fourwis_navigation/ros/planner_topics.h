@@ -20,16 +20,20 @@ namespace fourwis
 /// that is the status topic of the action `move_base`, as it is in a node of that name.
 std::vector<std::string> status_topics();
 
-/// Everything the planner publishes, all of it latched. Only a succeeded plan replaces the one published before;
-/// failures show in the status. Safe to use from several threads at once.
+/// Everything the planner publishes, all of it latched. Only a succeeded plan or a stop replaces the trajectory published
+/// before; failures show in the status. Safe to use from several threads at once.
 class PlannerTopics
 {
 public:
   PlannerTopics(const GlobalPlannerOptions& options, const Robot& robot);
 
-  void publish_planning(const geometry_msgs::PoseStamped& goal);
-  /// Plan and status for an answer to `goal`.
-  void publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer);
+  /// Status only; how the way to `goal` goes. `state` and `name` are the message's state and status.
+  void publish_progress(const geometry_msgs::PoseStamped& goal, std::uint8_t state, const std::string& name,
+                        const std::string& message);
+  /// Plan and status for an answer to `goal`; the trajectory begins at `begin`.
+  void publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer, const ros::Time& begin);
+  /// An empty trajectory: the robot stops at `begin`.
+  void publish_stop(const ros::Time& begin);
   /// Status only; for what failed without touching the published plan.
   void publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by, const PlanAnswer& answer);
   /// Status only; for input that never came to planning. An empty goal: it was about none.
@@ -39,7 +43,8 @@ public:
   fourwis_navigation::PlannerStatus last_status() const;
 
 private:
-  void publish_plan(const PlanAnswer& answer);
+  void publish_plan(const PlanAnswer& answer, const ros::Time& begin);
+  void publish_trajectory(const Trajectory& trajectory, const ros::Time& begin);
   void publish_failure_markers(const PlanAnswer& answer);
   fourwis_navigation::PlannerStatus status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const;
   void publish_status(const fourwis_navigation::PlannerStatus& status);

@@ -1,14 +1,57 @@
 #pragma once
 
-#include <cstdint>
+#include <cmath>
 
 namespace fourwis
 {
 
+/// What the eight actuators can do; the limits of angle, rate and speed are the robot's.
+struct ActuatorOptions
+{
+  double steering_lag = 0.02;         ///< time constant of a steering axis [s]
+  double drive_lag = 0.03;            ///< time constant of a wheel's speed [s]
+  double drive_acceleration = 12.0;   ///< greatest change of a wheel's rolling speed [m/s^2]
+};
+
+/// How the wheels fail to hold the ground.
+struct SlipOptions
+{
+  double drive_slip = 0.0;    ///< share of the rolling speed by which the body falls behind [0..1)
+  double lateral_slip = 0.0;  ///< slip angle for each m/s^2 of lateral acceleration, outward [rad s^2/m]
+};
+
+/// What is measured of the wheels.
+struct EncoderOptions
+{
+  double angle_resolution = 2.0 * M_PI / 16384;  ///< steps of a measured angle; 0: none [rad]
+  double angle_noise = 0.0;                      ///< standard deviation [rad]
+  double speed_resolution = 0.001;               ///< steps of a measured speed; 0: none [m/s]
+  double speed_noise = 0.0;                      ///< standard deviation [m/s]
+};
+
+/// When wheels may turn and drive after a change of mode.
+struct InterlockOptions
+{
+  double largest_jump = M_PI * 30.0 / 180.0;  ///< of a commanded angle; beyond it is treated as another mode [rad]
+  double standstill_speed = 0.005;           ///< every wheel is slower at standstill [m/s]
+  double standstill_time = 0.1;              ///< for so long [s]
+  double aligned_angle = M_PI * 2.0 / 180.0;  ///< every wheel is nearer to its angle when aligned [rad]
+  double aligned_time = 0.05;                ///< for so long [s]
+  double alignment_timeout = 5.0;            ///< from the wish for another mode, then it is a fault [s]
+};
+
 /// The simulated base; the keys of config/simulator.yaml.
 struct SimulatorOptions
 {
-  std::uint32_t seed = 1;  ///< of all noise
+  int seed = 1;                    ///< of all noise
+  double time_step = 0.001;        ///< of the simulation [s]
+  double command_latency = 0.02;   ///< from command() to the actuators [s]
+  double command_timeout = 0.15;   ///< without a command the base stops [s]
+  double stop_deceleration = 3.0;  ///< of the fastest wheel when the base stops by itself or is told to [m/s^2]
+  ActuatorOptions actuators;
+  SlipOptions slip;
+  EncoderOptions encoders;
+  InterlockOptions interlock;
 };
 
 /// What can go wrong with one wheel.

@@ -38,9 +38,9 @@ struct TrackInput
 /// One control step's answer.
 struct TrackOutput
 {
-  WheelCommand command;  ///< without sequence
+  WheelCommand command;  ///< with its sequence: `aligned` counts once the base has taken a command of this alignment
   TrackState state = TrackState::idle;
-  std::string_view message;  ///< why it stops or failed; of static storage
+  std::string_view message;  ///< why it stops or failed, otherwise empty; valid until the next step
   double t = 0.0;         ///< where on the trajectory the robot should be at `pose_stamp` [s]
   double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
   double longitudinal_error = 0.0;  ///< along the direction of travel [m]

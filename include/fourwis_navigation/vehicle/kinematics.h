@@ -13,9 +13,12 @@ struct Twist
   double vx = 0.0, vy = 0.0, omega = 0.0;
 };
 
-/// Body twist of a mode at speed v and equivalent steering angle phi, paper eq. (5) to (7). Zero for modes that are not
-/// planned.
+/// Body twist of a mode at speed v and equivalent steering angle phi, paper eq. (5) to (7). In spin v is the rolling
+/// speed of each wheel, > 0 to the left, and phi means nothing. Zero for Mode::none.
 Twist body_twist(const Robot& robot, Mode mode, double v, double phi);
+
+/// Distance of the steering axes from C [m]: in spin omega = v / spin_radius.
+double spin_radius(const Robot& robot);
 
 /// d theta / d s of a mode at equivalent steering angle phi [1/m]: 2 tan(phi)/L, 2 tan(phi)/W, 0.
 double curvature(const Robot& robot, Mode mode, double phi);
@@ -56,5 +59,9 @@ private:
 /// Where the robot is after driving the signed arc length s [m] from `start` with phi held: the exact arc. theta is not
 /// wrapped.
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s);
+
+/// Where a body is that keeps the twist for `duration` [s]: the exact arc, the exponential of SE(2). theta is not
+/// wrapped.
+Pose move(const Pose& start, const Twist& twist, double duration);
 
 }  // namespace fourwis

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string>
+
+namespace fourwis::can
+{
+
+/// Everything that can go wrong with a base, by name; doc/can_bridge.md says what each means and how to clear it.
+enum class Fault : std::uint8_t
+{
+  // The bus.
+  link_down,
+  bus_off,
+  transmit_timeout,
+  error_passive,
+  receive_overflow,
+  foreign_master,
+  // One drive, from its start on.
+  duplicate_node,
+  boot_timeout,
+  wrong_device,
+  mode_unsupported,
+  sdo_timeout,
+  sdo_abort,
+  setting_not_kept,
+  start_timeout,
+  homing_failed,
+  // One drive, at work.
+  heartbeat_lost,
+  node_rebooted,
+  node_not_operational,
+  emergency_message,
+  drive_fault,
+  drive_disabled,
+  feedback_lost,
+  malformed_frame,
+  encoder_jump,
+  steering_stuck,
+  speed_not_followed,
+  // The base.
+  power_timeout,
+  alignment_timeout,
+  // Those who command it.
+  command_timeout,
+  invalid_command,
+  unsupported_motion,
+  emergency_stop,
+  count
+};
+
+/// What a fault does to a base.
+enum class Reaction : std::uint8_t
+{
+  note,     ///< is told, nothing else
+  stop,     ///< stops at once; ~enable starts it again
+  restart,  ///< stops at once, starts the drives anew by itself; then as `stop`
+  latch     ///< stops at once; needs ~clear_faults, then ~enable
+};
+
+const char* to_string(Fault fault);
+Reaction reaction(Fault fault);
+
+/// The axes of a base: four steering, then four driving, in wheel order.
+inline constexpr int kAxes = 8;
+inline constexpr int kNoAxis = -1;
+
+/// "steering front_left"; "base" for kNoAxis.
+const char* axis_name(int axis);
+
+struct FaultRecord
+{
+  Fault fault = Fault::count;
+  int axis = kNoAxis;
+  std::uint32_t detail = 0;  ///< what the fault's own message has: error code, object, identifier
+  double time = 0.0;         ///< when it was detected [s]
+
+  bool exists() const { return fault != Fault::count; }
+};
+
+/// "driving rear_left: emergency_message 0x8130"; empty for a record that does not exist.
+std::string text_of(const FaultRecord& record);
+
+/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No allocation.
+class FaultLog
+{
+public:
+  static constexpr std::size_t kKept = 32;
+
+  void report(Fault fault, int axis, std::uint32_t detail, double now);
+
+  /// The strongest reaction reported since the last time somebody asked.
+  Reaction take_reaction();
+
+  /// The first of the strongest reaction there is: why the base stands.
+  const FaultRecord& cause() const { return cause_; }
+  /// The newest, also from before the last clear(); [0] is the last one.
+  const std::array<FaultRecord, kKept>& history() const { return history_; }
+  /// Whether it was reported since the last clear().
+  bool has(Fault fault) const;
+
+  void clear();
+
+private:
+  static constexpr std::size_t kFaults = static_cast<std::size_t>(Fault::count);
+
+  std::array<std::bitset<kFaults>, kAxes + 1> reported_;
+  std::array<FaultRecord, kKept> history_;
+  FaultRecord cause_;
+  Reaction pending_ = Reaction::note;
+};
+
+}  // namespace fourwis::can

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <ros/time.h>
+
+#include "fourwis_navigation/Tracking.h"
+
+namespace fourwis
+{
+
+/// What has become of the trajectory or the stop that the controller was sent last.
+enum class DrivePhase
+{
+  none,     ///< nothing was sent, or the robot has stopped as it was told to
+  pending,  ///< sent, not begun; of a stop: not at rest yet
+  driving,
+  arrived,  ///< at rest at the goal
+  failed,   ///< at rest, given up by the controller
+  lost      ///< the controller is silent, late, or has something else to drive
+};
+
+struct DriveReport
+{
+  DrivePhase phase = DrivePhase::none;
+  ros::Time since;      ///< stamp of the controller's first report of this phase
+  double t = 0.0;       ///< where on the trajectory the robot is [s]
+  std::string message;  ///< of `failed` and `lost`: why
+};
+
+/// Makes one story of the controller's reports. Arrived, failed and dropped stay until something else is sent. The stamps
+/// it answers with are those of the reports; `now` only tells what does not come. Safe to use from several threads at once.
+class DriveMonitor
+{
+public:
+  /// `patience`: how long the controller may say nothing, begin late, or take to stop [s].
+  explicit DriveMonitor(double patience) : patience_(patience) {}
+
+  // To be called before it is published, with its header.stamp.
+  void sending_trajectory(const ros::Time& stamp, const ros::Time& now) { sending(Kind::trajectory, stamp, now); }
+  void sending_stop(const ros::Time& stamp, const ros::Time& now) { sending(Kind::stop, stamp, now); }
+
+  /// A stamp farther from `now` than the patience counts as `now`.
+  void reported(const fourwis_navigation::Tracking& tracking, const ros::Time& now);
+
+  DriveReport report(const ros::Time& now) const;
+
+  /// Since when the robot stands still, with nothing before it that could begin; empty when it does not, or nobody knows.
+  std::optional<ros::Time> at_rest_since(const ros::Time& now) const;
+
+private:
+  enum class Kind
+  {
+    nothing,
+    stop,
+    trajectory
+  };
+
+  void sending(Kind kind, const ros::Time& stamp, const ros::Time& now);
+  DrivePhase phase_after(const fourwis_navigation::Tracking& tracking) const;
+  bool rests(const fourwis_navigation::Tracking& tracking) const;
+  bool ended() const;
+  bool silent(const ros::Time& now) const { return now.toSec() - heard_.toSec() > patience_; }
+
+  const double patience_;
+  mutable std::mutex mutex_;
+  Kind kind_ = Kind::nothing;
+  ros::Time stamp_;  ///< of what was sent
+  ros::Time due_;    ///< when it should begin
+  ros::Time heard_;  ///< when the controller was last heard, or given something to say
+  DriveReport report_;
+  std::optional<ros::Time> rest_since_;
+};
+
+}  // namespace fourwis

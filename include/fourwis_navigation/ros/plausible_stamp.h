@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cmath>
+
+#include <ros/time.h>
+
+namespace fourwis
+{
+
+/// A stamp that somebody else gave, or `now` where it is zero or farther than `tolerance` [s] from it. What is done at the
+/// stamp of a message, not when it happens to arrive, is done again when the message is replayed.
+inline ros::Time plausible(const ros::Time& stamp, const ros::Time& now, double tolerance)
+{
+  return std::abs(stamp.toSec() - now.toSec()) <= tolerance ? stamp : now;
+}
+
+}  // namespace fourwis

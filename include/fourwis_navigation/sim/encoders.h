@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <random>
+
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/wheels.h"
+#include "fourwis_navigation/sim/simulator_options.h"
+
+namespace fourwis
+{
+
+/// What is measured of four wheels: noise first, then steps. Repeatable: a wheel that is frozen takes its noise all the
+/// same.
+class Encoders
+{
+public:
+  /// Throws std::invalid_argument naming the option, its value and the range.
+  Encoders(const EncoderOptions& options, int seed);
+
+  void measure(const WheelMotion& truth);
+  const WheelMotion& measured() const { return measured_; }
+
+  /// What is measured of a wheel stays what it is.
+  void freeze(int wheel) { frozen_[static_cast<std::size_t>(wheel)] = true; }
+  void release_all() { frozen_ = {}; }
+
+private:
+  double reading(double truth, double resolution, double deviation);
+
+  EncoderOptions options_;
+  std::mt19937_64 engine_;
+  std::normal_distribution<double> noise_;
+  std::array<bool, kWheels> frozen_{};
+  WheelMotion measured_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/wheels.h"
+#include "fourwis_navigation/sim/actuator.h"
+#include "fourwis_navigation/sim/body.h"
+#include "fourwis_navigation/sim/simulator_options.h"
+
+namespace fourwis
+{
+
+/// The mechanics of the base: eight actuators and the body on their wheels, without any electronics. Whoever controls
+/// it sets targets and whether an axis has power.
+class Plant
+{
+public:
+  /// Throws std::invalid_argument naming the option, its value and the range.
+  Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOptions& slip);
+
+  /// Puts the body there, at rest; wheels keep their angles.
+  void place(const Pose& pose);
+
+  /// Wheels in wheel order. Targets beyond a limit stay at the limit. [rad], [m/s]
+  void set_steering_target(int wheel, double angle) { at(wheel).steering.set_target(angle); }
+  void set_drive_target(int wheel, double speed) { at(wheel).drive.set_target(speed); }
+
+  /// Without power a steering axis stays where it is, and a wheel rolls along.
+  void power_steering(int wheel, bool on) { at(wheel).steered = on; }
+  void power_drive(int wheel, bool on) { at(wheel).driven = on; }
+
+  /// Lets a short time pass [s].
+  void step(double duration);
+
+  double angle(int wheel) const { return at(wheel).steering.value(); }  ///< [rad]
+  double speed(int wheel) const { return at(wheel).drive.value(); }     ///< rolling [m/s]
+  WheelMotion wheels() const;
+  const Body& body() const { return body_; }
+
+private:
+  struct Wheel
+  {
+    Actuator steering, drive;
+    bool steered = true, driven = true;
+  };
+  Wheel& at(int wheel) { return wheels_[static_cast<std::size_t>(wheel)]; }
+  const Wheel& at(int wheel) const { return wheels_[static_cast<std::size_t>(wheel)]; }
+
+  std::vector<Wheel> wheels_;
+  Body body_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "fault_reporter.h"
+#include "fourwis_navigation/can/bridge_options.h"
+#include "fourwis_navigation/can/cia402.h"
+
+namespace fourwis::can
+{
+
+/// The search of one steering drive for its zero, once after each start, by the drive's own homing (mode 6).
+class AxisHoming
+{
+public:
+  AxisHoming(bool needed, double timeout, FaultReporter report) : needed_(needed), timeout_(timeout), report_(report) {}
+
+  void begin() { done_ = !needed_, running_ = false; }
+
+  bool done() const { return done_; }
+  bool running() const { return running_; }
+
+  /// For a drive in operation in homing mode: goes on, and answers with the bits of its controlword.
+  std::uint16_t update(const DriveStatus& status, double now);
+
+private:
+  bool needed_;
+  double timeout_;
+  FaultReporter report_;
+  bool done_ = false, running_ = false;
+  double begun_ = 0.0;
+};
+
+}  // namespace fourwis::can

@@ -1,0 +1,101 @@
+#include "axis_startup.h"
+
+namespace fourwis::can
+{
+namespace
+{
+
+/// A node that has not booted is reset again this often; one that does not start is told so again this often [s].
+constexpr double kResetPeriod = 1.0, kStartPeriod = 0.1;
+/// Until a node that was started sends its cyclic messages [s].
+constexpr double kStartTimeout = 1.0;
+/// A node does not boot twice in so short a time: there are two [s].
+constexpr double kShortestReboot = 0.01;
+
+}  // namespace
+
+AxisStartup::AxisStartup(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering,
+                         FaultReporter report)
+  : node_(axis.node), boot_timeout_(options.boot_timeout), identification_(identification_script(options, steering)),
+    configuration_(configuration_script(robot, options, axis, steering)), client_(axis.node, options.sdo_timeout),
+    report_(report)
+{
+}
+
+void AxisStartup::begin(double now, Outbox& outbox)
+{
+  failed_ = false;
+  client_.stop();
+  enter(BaseStage::booting, now);
+  send(NmtCommand::reset_communication, now, outbox);
+}
+
+void AxisStartup::receive_heartbeat(NmtState state, double now, Outbox& outbox)
+{
+  if (failed_ || state != NmtState::boot_up || stage_ == BaseStage::listening) return;
+  if (stage_ != BaseStage::booting && now - entered_ < kShortestReboot)
+    return fail(Fault::duplicate_node, static_cast<std::uint32_t>(node_), now);
+  enter(BaseStage::identifying, now);
+  client_.start(identification_, now, outbox);
+}
+
+void AxisStartup::receive_sdo(const Frame& frame, double now, Outbox& outbox)
+{
+  if (failed_) return;
+  client_.receive(frame, now, outbox);
+  go_on(now, outbox);
+}
+
+void AxisStartup::receive_cyclic()
+{
+  if (stage_ == BaseStage::starting && !failed_) stage_ = BaseStage::started;
+}
+
+void AxisStartup::supervise(double now, Outbox& outbox)
+{
+  if (failed_) return;
+  client_.supervise(now, outbox);
+  go_on(now, outbox);
+  if (stage_ == BaseStage::booting)
+  {
+    if (now - entered_ > boot_timeout_) return fail(Fault::boot_timeout, 0, now);
+    if (now - sent_ > kResetPeriod) send(NmtCommand::reset_communication, now, outbox);
+  }
+  if (stage_ == BaseStage::starting)
+  {
+    if (now - entered_ > kStartTimeout) return fail(Fault::start_timeout, 0, now);
+    if (now - sent_ > kStartPeriod) send(NmtCommand::start, now, outbox);
+  }
+}
+
+void AxisStartup::go_on(double now, Outbox& outbox)
+{
+  if (client_.state() == SdoClient::State::failed) return fail(client_.fault(), client_.detail(), now);
+  if (client_.state() != SdoClient::State::done) return;
+  if (stage_ == BaseStage::identifying)
+  {
+    enter(BaseStage::configuring, now);
+    client_.start(configuration_, now, outbox);
+  }
+  else if (stage_ == BaseStage::configuring)
+  {
+    client_.stop();
+    enter(BaseStage::starting, now);
+    send(NmtCommand::start, now, outbox);
+  }
+}
+
+void AxisStartup::send(NmtCommand command, double now, Outbox& outbox)
+{
+  sent_ = now;
+  outbox.add(encode_nmt(command, node_));
+}
+
+void AxisStartup::fail(Fault fault, std::uint32_t detail, double now)
+{
+  failed_ = true;
+  client_.stop();
+  report_(fault, detail, now);
+}
+
+}  // namespace fourwis::can

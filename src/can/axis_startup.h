@@ -1,0 +1,50 @@
+#pragma once
+
+#include "fault_reporter.h"
+#include "fourwis_navigation/can/base_protocol.h"
+#include "sdo_client.h"
+
+namespace fourwis::can
+{
+
+/// Brings one drive from wherever it is to the exchange of cyclic messages: resets its communication, waits until it
+/// boots, asks who it is, sets it up, starts it.
+class AxisStartup
+{
+public:
+  AxisStartup(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering,
+              FaultReporter report);
+
+  void begin(double now, Outbox& outbox);
+
+  void receive_heartbeat(NmtState state, double now, Outbox& outbox);
+  void receive_sdo(const Frame& frame, double now, Outbox& outbox);
+  /// Both cyclic messages have come since the start.
+  void receive_cyclic();
+
+  /// Once a cycle: repeats what was not answered, gives up what takes too long.
+  void supervise(double now, Outbox& outbox);
+
+  BaseStage stage() const { return stage_; }
+  bool done() const { return stage_ == BaseStage::started; }
+  /// The set-up is complete: the drive understands our cyclic messages.
+  bool is_set_up() const { return stage_ >= BaseStage::starting; }
+
+private:
+  void go_on(double now, Outbox& outbox);
+  void enter(BaseStage stage, double now) { stage_ = stage, entered_ = now; }
+  void send(NmtCommand command, double now, Outbox& outbox);
+  void fail(Fault fault, std::uint32_t detail, double now);
+
+  int node_;
+  double boot_timeout_;
+  SdoScript identification_, configuration_;
+  SdoClient client_;
+  FaultReporter report_;
+  BaseStage stage_ = BaseStage::listening;
+  bool failed_ = false;
+  double entered_ = 0.0;  ///< the stage
+  double sent_ = 0.0;     ///< the last command to the node
+};
+
+}  // namespace fourwis::can

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "axis.h"
+
+namespace fourwis::can
+{
+
+/// Eight CiA 402 drives, four that steer and four that drive; we are SYNC producer and master.
+class Cia402Base final : public BaseProtocol
+{
+public:
+  /// `log` must outlive this.
+  Cia402Base(const Robot& robot, const BridgeOptions& options, FaultLog& log);
+
+  void restart(bool reset_faults, double now, Outbox& outbox) override;
+  void receive(const Frame& frame, double now, Outbox& outbox) override;
+  void supervise(double now, Outbox& outbox) override;
+  void command(const DriveDemand& demand, double now, Outbox& outbox) override;
+  void end_cycle(double now, Outbox& outbox) override;
+
+  BaseStage stage() const override;
+  int first_in_operation() const override;
+  int first_out_of_operation() const override;
+  const WheelMotion& measured() const override { return measured_; }
+  double measured_at() const override { return synced_; }
+  const char* refusal(const WheelCommand&) const override { return nullptr; }
+  AxisReport axis(int axis) const override { return axes_[static_cast<std::size_t>(axis)].report(); }
+
+private:
+  static constexpr int kNodes = 128;
+
+  int first_axis(bool (*is_it)(const Axis&)) const;
+  bool is_masters(const Address& address) const;
+  void measure();
+
+  int master_;
+  double heartbeat_period_;
+  FaultReporter report_;
+  std::vector<Axis> axes_;
+  std::array<int, kNodes> axis_of_node_;
+  bool listening_ = true;
+  bool ran_before_ = false;  ///< the drives have once been set up by us
+  bool reset_faults_ = false;
+  double listen_until_ = 0.0;
+  double beaten_;        ///< when our last heartbeat was sent
+  double synced_ = 0.0;  ///< when our last SYNC was sent
+  WheelMotion measured_;
+};
+
+}  // namespace fourwis::can

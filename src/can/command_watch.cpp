@@ -1,0 +1,48 @@
+#include "command_watch.h"
+
+#include <cmath>
+
+namespace fourwis::can
+{
+namespace
+{
+
+/// Rounding that a command may be beyond a wheel's travel [rad].
+constexpr double kAngleSlack = 1e-3;
+/// A sequence that is behind by more is not late, its sender has started anew.
+constexpr std::int32_t kMostOvertaken = 100;
+
+}  // namespace
+
+CommandWatch::Verdict CommandWatch::take(const WheelCommand& command, double now)
+{
+  if (!is_valid(command)) return Verdict::invalid;
+  const auto ahead = static_cast<std::int32_t>(command.sequence - newest_.sequence);
+  if (any_ && !expired(now) && ahead <= 0 && ahead > -kMostOvertaken) return Verdict::overtaken;
+  newest_ = command;
+  taken_ = now;
+  any_ = true;
+  return Verdict::taken;
+}
+
+void CommandWatch::forget()
+{
+  any_ = false;
+  newest_.mode = Mode::none;
+  newest_.motion.speed = {};
+}
+
+bool CommandWatch::is_valid(const WheelCommand& command) const
+{
+  if (command.mode > Mode::spin) return false;
+  if (command.mode == Mode::none) return true;
+  for (int i = 0; i < kWheels; ++i)
+  {
+    // Written so that NaN, too, is refused.
+    if (!(std::abs(command.motion.angle[i]) <= max_angle_ + kAngleSlack)) return false;
+    if (!std::isfinite(command.motion.speed[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace fourwis::can

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fourwis_navigation/can/faults.h"
+
+namespace fourwis::can
+{
+
+/// Reports the faults of one axis.
+class FaultReporter
+{
+public:
+  /// `log` must outlive this.
+  FaultReporter(FaultLog& log, int axis) : log_(&log), axis_(axis) {}
+
+  void operator()(Fault fault, std::uint32_t detail, double now) const { log_->report(fault, axis_, detail, now); }
+
+private:
+  FaultLog* log_;
+  int axis_;
+};
+
+}  // namespace fourwis::can

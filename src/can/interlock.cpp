@@ -1,0 +1,79 @@
+#include "interlock.h"
+
+#include <cmath>
+
+#include "setpoint.h"
+
+namespace fourwis::can
+{
+namespace
+{
+
+/// A command that turns a wheel further than this at once is not the continuation of the motion [rad].
+constexpr double kLargestJump = 20.0 * M_PI / 180.0;
+
+}  // namespace
+
+Interlock::Interlock(const BridgeOptions& options)
+  : tolerance_(options.aligned_tolerance), standstill_speed_(options.standstill_speed),
+    standstill_(options.standstill_time), aligned_(options.aligned_time), late_(options.alignment_timeout)
+{
+}
+
+void Interlock::reset(double now)
+{
+  standstill_.reset();
+  aligned_.reset();
+  late_.reset();
+  stands_ = standstill_.holds(now);
+  aligned_now_ = overdue_ = false;
+  phase_ = Phase::holding;
+  mode_ = Mode::none;
+}
+
+WheelMotion Interlock::permit(const WheelCommand& command, const WheelMotion& measured, const WheelMotion& setpoint,
+                              double now)
+{
+  observe(command, measured, setpoint, now);
+  phase_ = next_phase(command, measured, setpoint);
+  if (phase_ != Phase::holding) mode_ = command.mode;
+  overdue_ = late_.update(phase_ == Phase::turning && !aligned_now_, now);
+  if (phase_ == Phase::holding) return {setpoint.angle, {}};
+  if (phase_ == Phase::turning) return {command.motion.angle, {}};
+  return command.motion;
+}
+
+void Interlock::observe(const WheelCommand& command, const WheelMotion& measured, const WheelMotion& setpoint,
+                        double now)
+{
+  const PerWheel& wanted = command.mode == Mode::none ? setpoint.angle : command.motion.angle;
+  if (largest_gap(wanted, commanded_) > tolerance_)
+  {
+    aligned_.reset();
+    late_.reset();
+  }
+  commanded_ = wanted;
+  aligned_now_ = aligned_.update(largest_gap(measured.angle, wanted) <= tolerance_, now);
+  stands_ = standstill_.update(
+    fastest(measured.speed) <= standstill_speed_ && fastest(setpoint.speed) <= standstill_speed_, now);
+}
+
+Interlock::Phase Interlock::next_phase(const WheelCommand& command, const WheelMotion& measured,
+                                       const WheelMotion& setpoint) const
+{
+  if (command.mode == Mode::none) return Phase::holding;
+  const PerWheel& wanted = command.motion.angle;
+  const bool other = command.mode != mode_ || largest_gap(wanted, setpoint.angle) > kLargestJump;
+  const bool off = command.mode != mode_ || largest_gap(wanted, measured.angle) > tolerance_;
+  switch (phase_)
+  {
+    case Phase::holding: return stands_ ? Phase::turning : Phase::holding;
+    // Wheels that turn may roll a little: that is no reason to stop turning.
+    case Phase::turning: return aligned_now_ ? Phase::driving : Phase::turning;
+    case Phase::driving: break;
+  }
+  if (stands_) return off ? Phase::turning : Phase::driving;
+  return other ? Phase::holding : Phase::driving;
+}
+
+}  // namespace fourwis::can

@@ -1,0 +1,42 @@
+#include "link_watch.h"
+
+namespace fourwis::can
+{
+
+void LinkWatch::set_up(bool up, double now)
+{
+  if (up_ && !up) log_.report(Fault::link_down, kNoAxis, 0, now);
+  if (!up_ && up) bus_off_ = false;
+  up_ = up;
+}
+
+void LinkWatch::receive(const Frame& frame, double now)
+{
+  if (const auto notice = decode_notice(frame))
+    take(*notice, now);
+  else
+    bus_off_ = false;  // who receives frames is on the bus
+}
+
+void LinkWatch::supervise(const Outbox& outbox, double now)
+{
+  const bool stuck = usable() && !outbox.empty() && outbox.sent() == sent_;
+  sent_ = outbox.sent();
+  if (blocked_.update(stuck, now)) log_.report(Fault::transmit_timeout, kNoAxis, 0, now);
+}
+
+void LinkWatch::take(const ControllerNotice& notice, double now)
+{
+  notice_ = notice;
+  if (notice.restarted) bus_off_ = false;
+  if (notice.bus_off)
+  {
+    bus_off_ = true;
+    log_.report(Fault::bus_off, kNoAxis, 0, now);
+  }
+  if (notice.transmit_timeout) log_.report(Fault::transmit_timeout, kNoAxis, 0, now);
+  if (notice.passive) log_.report(Fault::error_passive, kNoAxis, 0, now);
+  if (notice.receive_overflow) log_.report(Fault::receive_overflow, kNoAxis, 0, now);
+}
+
+}  // namespace fourwis::can

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fourwis_navigation/can/bridge_options.h"
+#include "fourwis_navigation/can/controller_notice.h"
+#include "fourwis_navigation/can/faults.h"
+#include "fourwis_navigation/can/outbox.h"
+#include "steady.h"
+
+namespace fourwis::can
+{
+
+/// Whether frames can leave: the interface is up, the controller is on the bus, the queue moves.
+class LinkWatch
+{
+public:
+  /// `log` must outlive this.
+  LinkWatch(const BridgeOptions& options, FaultLog& log) : log_(log), blocked_(options.feedback_timeout) {}
+
+  void set_up(bool up, double now);
+  void receive(const Frame& frame, double now);
+  /// Once a cycle, before anything new is put into the outbox.
+  void supervise(const Outbox& outbox, double now);
+
+  bool usable() const { return up_ && !bus_off_; }
+  const ControllerNotice& notice() const { return notice_; }
+
+private:
+  void take(const ControllerNotice& notice, double now);
+
+  FaultLog& log_;
+  Steady blocked_;
+  std::uint64_t sent_ = 0;
+  bool up_ = false, bus_off_ = false;
+  ControllerNotice notice_;
+};
+
+}  // namespace fourwis::can

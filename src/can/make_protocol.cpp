@@ -1,0 +1,13 @@
+#include "make_protocol.h"
+
+#include "cia402_base.h"
+
+namespace fourwis::can
+{
+
+std::unique_ptr<BaseProtocol> make_protocol(const Robot& robot, const BridgeOptions& options, FaultLog& log)
+{
+  return std::make_unique<Cia402Base>(robot, options, log);
+}
+
+}  // namespace fourwis::can

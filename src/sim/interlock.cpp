@@ -1,0 +1,87 @@
+#include "fourwis_navigation/sim/interlock.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fourwis_navigation/model/option_range.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Sums of steps count as reached although rounding leaves them a little short [s].
+constexpr double kRounding = 1e-9;
+
+double greatest_gap(const PerWheel& a, const PerWheel& b)
+{
+  PerWheel gap{};
+  for (std::size_t i = 0; i < kWheels; ++i) gap[i] = a[i] - b[i];
+  return greatest_magnitude(gap);
+}
+
+}  // namespace
+
+Interlock::Interlock(const InterlockOptions& options) : options_(options)
+{
+  require_between("largest_jump", options.largest_jump, 0.01, 10.0);
+  require_between("standstill_speed", options.standstill_speed, 1e-6, 1.0);
+  require_between("standstill_time", options.standstill_time, 0.0, 10.0);
+  require_between("aligned_angle", options.aligned_angle, 1e-6, 0.5);
+  require_between("aligned_time", options.aligned_time, 0.0, 10.0);
+  require_between("alignment_timeout", options.alignment_timeout, 0.01, 3600.0);
+}
+
+void Interlock::want(Mode mode, const PerWheel& angle)
+{
+  if (stage_ == Stage::failed) return;
+  if (mode != mode_ || greatest_gap(angle, angle_) > options_.largest_jump)
+  {
+    stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
+    waiting_ = 0.0;
+  }
+  mode_ = mode;
+  angle_ = angle;
+  if (greatest_gap(angle_, measured_angle_) > options_.aligned_angle) aligned_ = 0.0;
+}
+
+void Interlock::step(double duration, const WheelMotion& measured)
+{
+  measured_angle_ = measured.angle;
+  const bool slow = greatest_magnitude(measured.speed) < options_.standstill_speed;
+  const bool near = greatest_gap(angle_, measured_angle_) <= options_.aligned_angle;
+  standstill_ = slow ? standstill_ + duration : 0.0;
+  aligned_ = near ? aligned_ + duration : 0.0;
+  waiting_ = is_waiting() ? waiting_ + duration : 0.0;
+  advance();
+}
+
+void Interlock::reset()
+{
+  stage_ = Stage::locked;
+  mode_ = Mode::none;
+}
+
+bool Interlock::at_standstill() const
+{
+  return standstill_ >= options_.standstill_time - kRounding;
+}
+
+bool Interlock::aligned() const
+{
+  return may_turn() && aligned_ >= options_.aligned_time - kRounding;
+}
+
+bool Interlock::is_waiting() const
+{
+  return stage_ == Stage::coming_to_rest || stage_ == Stage::aligning;
+}
+
+void Interlock::advance()
+{
+  if (stage_ == Stage::coming_to_rest && at_standstill()) stage_ = Stage::aligning;
+  if (stage_ == Stage::aligning && aligned()) stage_ = Stage::released;
+  if (is_waiting() && waiting_ > options_.alignment_timeout) stage_ = Stage::failed;
+}
+
+}  // namespace fourwis

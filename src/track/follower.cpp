@@ -1,0 +1,130 @@
+#include "follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fourwis
+{
+namespace
+{
+
+/// Slower than this the reference is no measure of what the robot lags behind [m/s].
+constexpr double kSlow = 0.05;
+/// So much of the time the clock may wait at most.
+constexpr double kMostWait = 0.5;
+/// The longitudinal error at which a stretch is at its end [m].
+constexpr double kSettled = 0.002;
+/// Wheels that are told to rest must do so by then [s].
+constexpr double kRestless = 2.0;
+
+}  // namespace
+
+Follower::Follower(const Robot& robot, const TrackOptions& options)
+  : robot_(robot), options_(options), period_(1.0 / options.controller_frequency), mpc_(robot, options),
+    forecast_(robot, options), watch_(options), error_model_(robot, Mode::ackermann)
+{
+}
+
+void Follower::start(const Reference& reference, const SteeringRange& steering, const Measurement& now)
+{
+  reference_ = &reference;
+  error_model_ = ErrorModel(robot_, reference.mode());
+  mpc_.restart(reference.mode(), steering);
+  forecast_.restart(reference.mode(), reference.start_phi());
+  time_ = reference.start_time() - now.period;
+  watch_.restart();
+  holding_ = -1.0;
+  asked_ = {0.0, reference.start_phi()};
+}
+
+Follower::Answer Follower::step(const Measurement& now)
+{
+  Answer answer;
+  answer.trouble = observe(now);
+  const MotionState state = forecast_.ahead(now.pose, now.pose_stamp, now.now + options_.command_latency);
+  time_ += now.period;
+  wait_for_robot(state, now.period);
+  if (answer.trouble) return answer;
+  if (settles(state, now))
+  {
+    answer.command = rest(now);
+    answer.finished = now.at_rest && holding_ > options_.command_latency + period_;
+    if (holding_ > kRestless) answer.trouble = {"the wheels do not come to rest for %.3f s", holding_};
+    return answer;
+  }
+  const MpcAnswer control = mpc_.solve(*reference_, time_, state);
+  if (!control.usable)
+    answer.trouble = {"the controller's problem has no solution"};
+  else
+    answer.command = ask(now, control.input, period_);
+  return answer;
+}
+
+/// Where the robot is, compared with where it should have been, and whether its wheels do what they were asked for.
+Trouble Follower::observe(const Measurement& now)
+{
+  clock_ = time_ + now.period - options_.command_latency - (now.now - now.pose_stamp);
+  const MotionState& should = reference_->at(clock_).state;
+  const ErrorState error = error_model_.error({now.pose, should.v, should.phi}, should);
+  const double forward = should.v < 0.0 ? -1.0 : 1.0;
+  deviation_ = {forward * error[1], forward * error[0], error[2]};
+
+  forecast_.measured(now.wheel_stamp, mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi));
+  const double phi = forecast_.asked(now.wheel_stamp).phi;
+  return watch_.judge(wheel_motion(robot_, reference_->mode(), 0.0, phi).angle, now.wheels.angle, now.period);
+}
+
+/// Slows the clock down where the robot lags behind more than clock_slack. It must not stand: before a cusp the controller may
+/// see no use in moving.
+void Follower::wait_for_robot(const MotionState& state, double period)
+{
+  const MotionState& should = reference_->at(time_).state;
+  const double ahead = error_model_.advance(error_model_.error(state, should));
+  const double behind = (should.v < 0.0 ? ahead : -ahead) - options_.clock_slack;
+  if (behind > 0.0 && std::abs(should.v) > kSlow) time_ -= std::min(kMostWait * period, behind / std::abs(should.v));
+}
+
+/// Whether the robot has come to the end of the stretch and is left to rest.
+bool Follower::settles(const MotionState& state, const Measurement& now)
+{
+  const double over = time_ - reference_->end_time();
+  if (over < 0.0) return false;
+  if (holding_ >= 0.0)
+  {
+    holding_ += now.period;
+    return true;
+  }
+  const double error = error_model_.advance(error_model_.error(state, reference_->at(time_).state));
+  const bool near = std::abs(error) < kSettled && std::abs(asked_.v) < options_.rest_speed;
+  if (near || over > options_.settle_time) holding_ = 0.0;
+  return holding_ >= 0.0;
+}
+
+/// v and phi change by `input` for the coming control step. Wheels that lag are told where they should be a little later.
+ModeMotion Follower::ask(const Measurement& now, const MotionInput& input, double duration)
+{
+  const ModeMotion from = forecast_.asked(now.now + options_.command_latency);
+  asked_ = {from.v + input.a * duration, from.phi + input.omega * duration};
+  forecast_.ask(now.now + options_.command_latency, asked_, duration);
+  return {from.v + input.a * (0.5 * duration + options_.drive_lag),
+          from.phi + input.omega * (0.5 * duration + options_.steering_lag)};
+}
+
+/// The speed is 0 from now on.
+ModeMotion Follower::rest(const Measurement& now)
+{
+  const double v = forecast_.asked(now.now + options_.command_latency).v;
+  ModeMotion still = ask(now, {-v / period_, 0.0}, period_);
+  still.v = 0.0;
+  return still;
+}
+
+ModeMotion Follower::brake(const Measurement& now)
+{
+  const double v = forecast_.asked(now.now + options_.command_latency).v;
+  const double slower = std::copysign(std::max(0.0, std::abs(v) - robot_.max_acceleration * period_), v);
+  ask(now, {(slower - v) / period_, 0.0}, period_);
+  return asked_;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/track/track_options.h"
+#include "fourwis_navigation/vehicle/wheel_motion.h"
+#include "motion_state.h"
+
+namespace fourwis
+{
+
+/// Where the robot will be when a command takes effect. What was asked for so far is remembered; the wheels are taken to do
+/// that, `command_latency` late, but for what they were last measured to deviate, which fades with their lag.
+class Forecast
+{
+public:
+  Forecast(const Robot& robot, const TrackOptions& options);
+
+  /// Forgets everything: the wheels of this mode rest at phi.
+  void restart(Mode mode, double phi);
+
+  /// From time t on, v and phi go to `next` over `duration` and stay there. Times must not decrease.
+  void ask(double t, const ModeMotion& next, double duration);
+
+  /// What was asked for at time t.
+  ModeMotion asked(double t) const;
+
+  /// What the wheels did at time t.
+  void measured(double t, const ModeMotion& motion);
+
+  /// The state at `until`, given where the robot was at `stamp`. v and phi are what was asked for: the controller does not see
+  /// the noise of the wheels' encoders.
+  MotionState ahead(const Pose& pose, double stamp, double until) const;
+
+private:
+  struct Knot
+  {
+    double t;
+    ModeMotion motion;
+  };
+  ModeMotion expected(double t) const;
+
+  static constexpr std::size_t kMemory = 256;
+
+  Robot robot_;
+  double drive_lag_, steering_lag_;
+  Mode mode_ = Mode::none;
+  std::array<Knot, kMemory> asked_;  ///< a ring, linear in between
+  std::size_t newest_ = 0;
+  Knot deviation_{};  ///< of what was measured from what was asked for
+};
+
+}  // namespace fourwis

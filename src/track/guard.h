@@ -1,0 +1,44 @@
+#pragma once
+
+#include "fourwis_navigation/track/track_options.h"
+#include "fourwis_navigation/track/tracker.h"
+#include "trouble.h"
+
+namespace fourwis
+{
+
+/// Deviation of a pose from where it should be, in the direction of travel.
+struct Deviation
+{
+  double lateral = 0.0;       ///< to the left [m]
+  double longitudinal = 0.0;  ///< forward [m]
+  double heading = 0.0;       ///< [rad]
+};
+
+/// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that does
+/// not follow.
+Trouble judge_input(const TrackInput& input, const TrackOptions& options);
+
+/// Whether the robot is farther from the trajectory than it may be.
+Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options);
+
+/// Notices wheels that keep away from where they should be.
+class WheelWatch
+{
+public:
+  explicit WheelWatch(const TrackOptions& options) : options_(options) {}
+
+  void restart() { away_.fill(0.0); }
+
+  /// Angles modulo pi; `period`: since the last look [s].
+  Trouble judge(const PerWheel& expected, const PerWheel& measured, double period);
+
+private:
+  const TrackOptions options_;
+  PerWheel away_{};  ///< for so long [s]
+};
+
+/// Whether no wheel rolls faster than rest_speed.
+bool is_at_rest(const WheelState& wheels, const TrackOptions& options);
+
+}  // namespace fourwis

@@ -1,0 +1,146 @@
+#include "mpc.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fourwis_navigation/vehicle/wheels.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// The last knot of the horizon stands for what comes after it [s].
+constexpr double kEnd = 0.5;
+
+/// Solved far more accurately than the robot moves; a step that is not may still be used, it keeps its bounds.
+ocp::Options solver_options(bool warm)
+{
+  ocp::Options options;
+  options.tolerance = 1e-5;
+  options.acceptable_tolerance = 1e-3;
+  options.max_iterations = 30;
+  options.initial_barrier = warm ? 1e-3 : 1e-2;
+  return options;
+}
+
+}  // namespace
+
+void HorizonModel::evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+{
+  const Interval& interval = intervals[static_cast<std::size_t>(k)];
+  value.cost = 0.5 * interval.h * (state_weight.dot(x.cwiseAbs2()) + control_weight.dot(u.cwiseAbs2()));
+  value.defect = interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
+}
+
+void HorizonModel::differentiate(int k, const State& x, const Control& u, const State&, Derivatives& d) const
+{
+  const Interval& interval = intervals[static_cast<std::size_t>(k)];
+  d.jacobian = interval.jacobian;
+  d.gradient << interval.h * state_weight.cwiseProduct(x), interval.h * control_weight.cwiseProduct(u);
+  d.hessian.diagonal() << interval.h * state_weight, interval.h * control_weight;
+}
+
+double HorizonModel::terminal_cost(const State& x) const
+{
+  return 0.5 * end_weight * state_weight.dot(x.cwiseAbs2());
+}
+
+void HorizonModel::differentiate_terminal(const State& x, Terminal& terminal) const
+{
+  terminal.gradient = end_weight * state_weight.cwiseProduct(x);
+  terminal.hessian.diagonal() = end_weight * state_weight;
+}
+
+Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error_model_(robot, Mode::ackermann)
+{
+  const std::size_t count = static_cast<std::size_t>(options.knots);
+  const double first = 1.0 / options.controller_frequency;
+  times_ = {0.0};
+  for (std::size_t k = 0; k < count; ++k)
+    times_.push_back(first + (options.horizon - first) * double(k) / double(count - 1));
+
+  const auto weight = [&](double scale) { return 1.0 / (scale * scale); };
+  horizon_.state_weight << weight(options.longitudinal_scale), weight(options.lateral_scale),
+    weight(options.heading_scale), weight(options.speed_scale), weight(options.steering_scale);
+  horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
+  horizon_.end_weight = kEnd;
+  horizon_.intervals.resize(count);
+  for (std::size_t k = 0; k < count; ++k) horizon_.intervals[k].h = times_[k + 1] - times_[k];
+
+  problem_.reset(options.knots);
+  cold_.states.assign(count + 1, ErrorState::Zero());
+  cold_.controls.assign(count, ErrorInput::Zero());
+  knots_.resize(count + 1);
+  prediction_.resize(count + 1);
+}
+
+void Mpc::restart(Mode mode, const SteeringRange& steering)
+{
+  error_model_ = ErrorModel(robot_, mode);
+  steering_ = steering;
+  warm_ = false;
+}
+
+/// `state` moved within what may be asked for: what cannot be kept must not make the problem infeasible.
+MotionState Mpc::within_bounds(const MotionState& state) const
+{
+  MotionState inside = state;
+  inside.v = std::clamp(state.v, -robot_.max_speed, robot_.max_speed);
+  inside.phi = std::clamp(state.phi, steering_.low, steering_.high);
+  return inside;
+}
+
+/// Bounds on v and phi at a knot. v may take the time it needs to get within the limit of the fastest wheel.
+void Mpc::set_state_bounds(int k, double v)
+{
+  const MotionState& r = knots_[static_cast<std::size_t>(k)].state;
+  const double by_wheels = robot_.wheel_max_speed / wheel_speed_ratio(robot_, error_model_.mode(), r.phi);
+  const double reachable = std::abs(v) - robot_.max_acceleration * times_[static_cast<std::size_t>(k)];
+  const double limit = std::max(std::min(robot_.max_speed, by_wheels), reachable);
+  auto& bounds = problem_.bounds[static_cast<std::size_t>(k)];
+  bounds.lower.segment<2>(3) << -limit - r.v, steering_.low - r.phi;
+  bounds.upper.segment<2>(3) << limit - r.v, steering_.high - r.phi;
+}
+
+/// Dynamics and bounds on a and omega of an interval.
+void Mpc::set_interval(const Reference& reference, double t, int k)
+{
+  const std::size_t at = static_cast<std::size_t>(k);
+  const MotionState &from = knots_[at].state, &to = knots_[at + 1].state;
+  const double h = horizon_.intervals[at].h;
+  // The input of a whole interval: the reference's own may change within it.
+  const ReferencePoint middle = {reference.at(t + 0.5 * (times_[at] + times_[at + 1])).state,
+                                 {(to.v - from.v) / h, (to.phi - from.phi) / h}};
+  horizon_.intervals[at].jacobian = error_model_.jacobian(middle, h);
+  const double rate =
+    std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
+  auto& bounds = problem_.bounds[at];
+  bounds.lower.tail<2>() << -robot_.max_acceleration - middle.input.a, -rate - middle.input.omega;
+  bounds.upper.tail<2>() << robot_.max_acceleration - middle.input.a, rate - middle.input.omega;
+}
+
+MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& state)
+{
+  for (std::size_t k = 0; k < knots_.size(); ++k) knots_[k] = reference.at(t + times_[k]);
+  const MotionState start = within_bounds(state);
+  for (int k = 0; k <= problem_.intervals(); ++k) set_state_bounds(k, start.v);
+  for (int k = 0; k < problem_.intervals(); ++k) set_interval(reference, t, k);
+  problem_.initial_state = error_model_.error(start, knots_.front().state);
+
+  const auto& solution = solver_.solve(horizon_, problem_, warm_ ? solver_.solution().trajectory : cold_,
+                                       solver_options(warm_), warm_ ? &solver_.solution().multipliers : nullptr);
+  MpcAnswer answer;
+  answer.iterations = solution.statistics.iterations;
+  answer.usable = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
+  warm_ = answer.usable;
+  if (!answer.usable) return answer;
+  const MotionState &from = knots_[0].state, &to = knots_[1].state;
+  answer.input = {(to.v - from.v) / times_[1] + solution.trajectory.controls.front()[0],
+                  (to.phi - from.phi) / times_[1] + solution.trajectory.controls.front()[1]};
+  for (std::size_t k = 0; k < knots_.size(); ++k)
+    prediction_[k] = error_model_.pose(solution.trajectory.states[k], knots_[k].state);
+  return answer;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <vector>
+
+#include "fourwis_navigation/ocp/solver.h"
+#include "fourwis_navigation/track/track_options.h"
+#include "error_model.h"
+
+namespace fourwis
+{
+
+/// The error model along a horizon with a quadratic cost: a convex problem.
+struct HorizonModel : ocp::ModelBase<5, 2>
+{
+  struct Interval
+  {
+    Eigen::Matrix<double, 5, 7> jacobian;
+    double h = 0.0;  ///< [s]
+  };
+  std::vector<Interval> intervals;
+  State state_weight;      ///< per second
+  Control control_weight;  ///< likewise
+  double end_weight = 0.0;  ///< the last state counts as if it lasted that long [s]
+
+  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
+  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
+  double terminal_cost(const State& x) const;
+  void differentiate_terminal(const State& x, Terminal& terminal) const;
+};
+
+/// What phi may be [rad].
+struct SteeringRange
+{
+  double low, high;
+};
+
+/// What to do now.
+struct MpcAnswer
+{
+  MotionInput input;    ///< for one control step
+  bool usable = false;  ///< otherwise there is none
+  int iterations = 0;
+};
+
+/// Model-predictive controller of one mode's motion about a reference: each step solves the linearised problem over the
+/// horizon, warm-started, within the bounds on v (also of the fastest wheel), phi, a and omega (also of the fastest turning
+/// wheel). After set-up it allocates nothing. Deterministic.
+class Mpc
+{
+public:
+  Mpc(const Robot& robot, const TrackOptions& options);
+
+  /// To be called before a stretch: forgets the last one.
+  void restart(Mode mode, const SteeringRange& steering);
+
+  /// From `state` at time t of the trajectory.
+  MpcAnswer solve(const Reference& reference, double t, const MotionState& state);
+
+  /// Where the last answer expects the robot, one pose a knot.
+  const std::vector<Pose>& prediction() const { return prediction_; }
+
+private:
+  MotionState within_bounds(const MotionState& state) const;
+  void set_state_bounds(int k, double v);
+  void set_interval(const Reference& reference, double t, int k);
+
+  const Robot robot_;
+  std::vector<double> times_;  ///< of the knots, from the beginning of the horizon [s]
+  ErrorModel error_model_;
+  SteeringRange steering_{0.0, 0.0};
+  HorizonModel horizon_;
+  ocp::Problem<5, 2> problem_;
+  ocp::Trajectory<5, 2> cold_;  ///< no deviation
+  ocp::Solver<HorizonModel> solver_;
+  std::vector<ReferencePoint> knots_;
+  std::vector<Pose> prediction_;
+  bool warm_ = false;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "motion_state.h"
+
+namespace fourwis
+{
+
+/// Where the robot should be at some time, and the input that keeps it there.
+struct ReferencePoint
+{
+  MotionState state;
+  MotionInput input;
+};
+
+/// One stretch of a trajectory: neighbouring points of one mode. Between the points v and phi are linear and the pose is rolled
+/// out; by how much that misses the next point (at most 5 mm, DESIGN.md section 3) is spread over the interval, so that the
+/// reference has no jumps. Before its beginning and after its end it rests.
+class Reference
+{
+public:
+  /// The points from `first` up to `end`: at least one, of one mode, times increasing.
+  Reference(const Robot& robot, const TrajectoryPoint* first, const TrajectoryPoint* end);
+
+  /// Another stretch instead. Allocates only where it is longer than any before.
+  void assign(const TrajectoryPoint* first, const TrajectoryPoint* end);
+
+  /// Room for a stretch of that many points, 20 ms apart.
+  void reserve(std::size_t points) { points_.reserve(points); }
+
+  Mode mode() const { return points_.front().mode; }
+  double start_time() const { return points_.front().t; }
+  double end_time() const { return points_.back().t; }
+  Pose start_pose() const { return points_.front().pose(); }
+  Pose end_pose() const { return points_.back().pose(); }
+
+  /// At time t of the trajectory. Time logarithmic in the number of points.
+  ReferencePoint at(double t) const;
+
+  double start_phi() const { return points_.front().phi; }
+  double least_phi() const { return least_phi_; }
+  double greatest_phi() const { return greatest_phi_; }
+
+private:
+  void add_interval(const TrajectoryPoint& from, const TrajectoryPoint& to);
+  ReferencePoint at_rest(const TrajectoryPoint& point) const;
+
+  Robot robot_;
+  Trajectory points_;  ///< so close together that a roll-out between them is as good as exact
+  double least_phi_, greatest_phi_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,203 @@
+#include "sequencer.h"
+
+#include <cmath>
+
+namespace fourwis
+{
+namespace
+{
+
+/// A robot that is not seen to come to rest counts as being at rest so long after it should be [s].
+constexpr double kBlindStop = 1.0;
+
+}  // namespace
+
+Sequencer::Sequencer(const Robot& robot, const TrackOptions& options)
+  : robot_(robot), options_(options), observer_(options), follower_(robot, options), steering_(robot),
+    corrector_(robot, options), measured_(observer_.measured())
+{
+}
+
+void Sequencer::take(Mission& mission)
+{
+  next_.swap(mission);
+  has_next_ = true;
+  if (is_under_way()) brake_for({});
+}
+
+void Sequencer::stop()
+{
+  has_next_ = false;
+  if (is_under_way())
+    brake_for({});
+  else if (state_ != TrackState::stopping)
+    enter(TrackState::idle);
+}
+
+TrackOutput Sequencer::step(const TrackInput& input)
+{
+  if (!numbered_) sequence_ = input.wheels.sequence;
+  numbered_ = true;
+  const Trouble trouble = observer_.observe(input);
+  elapsed_ += measured_.period;
+  corrector_.pass(measured_.period);
+  TrackOutput output;
+  output.command = act(input.wheels, trouble);
+  output.command.sequence = ++sequence_;
+  report(output);
+  return output;
+}
+
+WheelCommand Sequencer::act(const WheelState& wheels, const Trouble& trouble)
+{
+  if (trouble && is_under_way()) brake_for(trouble);
+  const bool rests = !is_under_way() && state_ != TrackState::stopping;
+  if (rests && measured_.usable) steering_.adopt(measured_.wheels.angle);
+  if (rests && has_next_) begin(trouble);
+  switch (state_)
+  {
+    case TrackState::aligning: return align(wheels);
+    case TrackState::driving: return drive();
+    case TrackState::stopping: return brake();
+    default: return rest();
+  }
+}
+
+/// Starts the next mission, at rest.
+void Sequencer::begin(const Trouble& trouble)
+{
+  mission_.swap(next_);
+  has_next_ = false;
+  index_ = 0;
+  corrector_.finish();
+  if (trouble) return enter(TrackState::failed, trouble);
+  if (const Trouble away = judge_start(mission_.front().start_pose())) return enter(TrackState::failed, away);
+  start_aligning();
+}
+
+Trouble Sequencer::judge_start(const Pose& start) const
+{
+  if (!measured_.usable || is_under_way() || state_ == TrackState::stopping) return {};
+  const double away = distance(measured_.pose, start);
+  const double turned = std::abs(wrap_angle(measured_.pose.theta - start.theta));
+  if (away <= options_.max_lateral_error && turned <= options_.max_heading_error) return {};
+  return {"the trajectory begins %.3f m and %.3f rad from where the robot is", away, turned};
+}
+
+/// Sets the wheels' angles for the stretch.
+void Sequencer::start_aligning()
+{
+  const Reference& next = stretch();
+  const SteeringRange range = {next.least_phi(), next.greatest_phi()};
+  if (const Trouble trouble = steering_.choose(next.mode(), next.start_phi(), range, measured_.wheels.angle))
+    return enter(TrackState::failed, trouble);
+  enter(TrackState::aligning);
+  aligning_sequence_ = sequence_ + 1;
+}
+
+WheelCommand Sequencer::align(const WheelState& wheels)
+{
+  if (is_aligned(wheels))
+  {
+    enter(TrackState::driving);
+    follower_.start(stretch(), steering_.range(), measured_);
+    return drive();
+  }
+  if (elapsed_ <= options_.alignment_timeout) return steering_.command();
+  brake_for({"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_,
+             options_.alignment_timeout});
+  return brake();
+}
+
+/// Whether `aligned` is about the angles wanted now: the base has taken one of the commands sent since.
+bool Sequencer::is_aligned(const WheelState& wheels) const
+{
+  const std::uint32_t sent = sequence_ + 1 - aligning_sequence_, behind = sequence_ - wheels.sequence;
+  return wheels.aligned && wheels.mode == stretch().mode() && behind < sent;
+}
+
+WheelCommand Sequencer::drive()
+{
+  const Follower::Answer answer = follower_.step(measured_);
+  Trouble trouble = answer.trouble ? answer.trouble : judge_deviation(follower_.deviation(), options_);
+  if (!trouble && answer.finished)
+  {
+    finish_stretch();
+    return is_under_way() ? steering_.command() : rest();
+  }
+  if (!trouble) trouble = steering_.set(stretch().mode(), answer.command);
+  if (!trouble) return steering_.command();
+  brake_for(trouble);
+  return brake();
+}
+
+/// At rest at the end of a stretch: correct, go on, or arrive.
+void Sequencer::finish_stretch()
+{
+  const RestingPlace place = resting_place();
+  const bool reached = place.is_reached(measured_.pose);
+  if (!reached && corrector_.start(measured_.pose, place)) return start_aligning();
+  corrector_.finish();
+  if (!reached && is_last())
+    return enter(TrackState::failed,
+                        {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer",
+                         distance(measured_.pose, place.pose),
+                         std::abs(wrap_angle(measured_.pose.theta - place.pose.theta))});
+  if (is_last()) return enter(TrackState::arrived);
+  ++index_;
+  start_aligning();
+}
+
+/// Where the present stretch of the mission should end.
+RestingPlace Sequencer::resting_place() const
+{
+  const Pose& end = mission_[index_].end_pose();
+  if (is_last()) return {end, options_.xy_goal_tolerance, options_.yaw_goal_tolerance};
+  return {end, options_.xy_switch_tolerance, options_.yaw_switch_tolerance};
+}
+
+/// Reduces the speed along the present curve; at rest, holds the wheels.
+WheelCommand Sequencer::brake()
+{
+  const ModeMotion slower = follower_.brake(measured_);
+  rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
+  if (rolling_) return steering_.command();
+  const double ramp = robot_.max_speed / robot_.max_acceleration;
+  if (!measured_.at_rest && elapsed_ <= ramp + kBlindStop) return rest();
+  if (fails_)
+    enter(TrackState::failed, reason_);
+  else
+    enter(TrackState::idle);
+  return rest();
+}
+
+/// Begins to brake: on the way to `failed` because of trouble, to `idle` without.
+void Sequencer::brake_for(const Trouble& trouble)
+{
+  rolling_ = state_ == TrackState::driving;
+  fails_ = bool(trouble);
+  enter(TrackState::stopping, trouble ? trouble : Trouble{"told to stop"});
+}
+
+void Sequencer::enter(TrackState state, const Trouble& reason)
+{
+  state_ = state;
+  reason_ = reason;
+  elapsed_ = 0.0;
+}
+
+void Sequencer::report(TrackOutput& output)
+{
+  output.state = state_;
+  write(reason_, message_);
+  output.message = message_.data();
+  if (state_ != TrackState::driving && !(state_ == TrackState::stopping && rolling_)) return;
+  output.speed = follower_.asked().v;
+  output.phi = follower_.asked().phi;
+  output.t = corrector_.is_active() ? mission_[index_].end_time() : follower_.clock();
+  output.lateral_error = follower_.deviation().lateral;
+  output.longitudinal_error = follower_.deviation().longitudinal;
+  output.heading_error = follower_.deviation().heading;
+}
+
+}  // namespace fourwis

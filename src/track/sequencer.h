@@ -1,0 +1,87 @@
+#pragma once
+
+#include "fourwis_navigation/track/tracker.h"
+#include "corrector.h"
+#include "follower.h"
+#include "mission.h"
+#include "observer.h"
+#include "steering_unit.h"
+
+namespace fourwis
+{
+
+/// What to do next, from control step to control step:
+///
+///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ... arrived
+///   aligning, driving --stop() or trouble--> stopping --at rest--> idle or failed
+///
+/// At a stretch's end too far from where it should be, a creeping correction comes first, a stretch like any other.
+class Sequencer
+{
+public:
+  Sequencer(const Robot& robot, const TrackOptions& options);
+
+  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. A mission that was waiting is
+  /// handed back in exchange.
+  void take(Mission& mission);
+
+  /// Brakes to rest and forgets all missions.
+  void stop();
+
+  TrackOutput step(const TrackInput& input);
+
+  /// What is wrong with beginning there, as far as it is known where the robot is and that it rests.
+  Trouble judge_start(const Pose& start) const;
+
+  /// Empty unless driving.
+  const std::vector<Pose>& prediction() const { return state_ == TrackState::driving ? follower_.prediction() : none_; }
+
+private:
+  bool is_under_way() const { return state_ == TrackState::aligning || state_ == TrackState::driving; }
+  bool is_last() const { return index_ + 1 == mission_.size(); }
+  const Reference& stretch() const { return corrector_.is_active() ? corrector_.stretch() : mission_[index_]; }
+  RestingPlace resting_place() const;
+
+  // These change the state.
+  void begin(const Trouble& trouble);
+  void start_aligning();
+  void finish_stretch();
+  void brake_for(const Trouble& trouble);
+  void enter(TrackState state, const Trouble& reason = {});
+
+  // These are the states.
+  WheelCommand act(const WheelState& wheels, const Trouble& trouble);
+  WheelCommand align(const WheelState& wheels);
+  WheelCommand drive();
+  WheelCommand brake();
+  WheelCommand rest() const { return steering_.hold(); }
+
+  bool is_aligned(const WheelState& wheels) const;
+  void report(TrackOutput& output);
+
+  const Robot robot_;
+  const TrackOptions options_;
+  Observer observer_;
+  Follower follower_;
+  SteeringUnit steering_;
+  Corrector corrector_;
+  const Measurement& measured_;
+
+  TrackState state_ = TrackState::idle;
+  Trouble reason_;         ///< for being in it, where there is one to be told
+  double elapsed_ = 0.0;   ///< in it [s]
+  bool fails_ = false;     ///< whether braking ends in `failed` or in `idle`
+  bool rolling_ = false;   ///< whether there is anything to brake
+  Sentence message_{};
+
+  Mission mission_, next_;
+  bool has_next_ = false;
+  std::size_t index_ = 0;  ///< of the stretch within the mission
+
+  bool numbered_ = false;                ///< whether the sequence has begun
+  std::uint32_t sequence_ = 0;           ///< of the last command
+  std::uint32_t aligning_sequence_ = 0;  ///< of the first command with the angles to align to
+  const std::vector<Pose> none_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "complaint.h"
+#include "fourwis_navigation/parameters/parameters.h"
+
+namespace fourwis
+{
+
+/// A key and the member that it must set, as a number.
+template <class Options>
+struct Binding
+{
+  std::string key;
+  std::function<double(const Options&)> get;
+};
+
+/// A configuration file, what reads it, and where its keys go.
+template <class Options>
+struct Subject
+{
+  std::string file;
+  Options (*read)(const ParameterMap&);
+  std::vector<Binding<Options>> bindings;
+};
+
+inline ParameterMap with(ParameterMap parameters, const std::string& key, const ParameterValue& value)
+{
+  parameters[key] = value;
+  return parameters;
+}
+
+/// Any word, but of a key that knows few words another one of these.
+inline std::string another_word(const std::string& word)
+{
+  static const std::map<std::string, std::string> known = {{"cia402", "ranger"}, {"cyclic", "profile"}};
+  const auto found = known.find(word);
+  return found == known.end() ? word + "x" : found->second;
+}
+
+/// A value the key does not have in the shipped file but could.
+inline ParameterValue another(const ParameterValue& value)
+{
+  if (const bool* flag = std::get_if<bool>(&value)) return !*flag;
+  if (const std::string* word = std::get_if<std::string>(&value)) return another_word(*word);
+  const double number = std::get<double>(value);
+  if (number == 0.0) return 0.05;
+  if (number == 1.0) return 2.0;
+  return number > 1.0 && number == std::floor(number) ? number - 1.0 : number * 0.999;
+}
+
+/// The file that sets Options; each test of a file specialises it.
+template <class Options>
+Subject<Options> subject_of();
+
+/// What every configuration file promises.
+template <class Options>
+class ParameterLaws : public testing::Test
+{
+};
+TYPED_TEST_SUITE_P(ParameterLaws);
+
+TYPED_TEST_P(ParameterLaws, ShippedFileHoldsEveryKeyAndEqualsTheDefaults)
+{
+  const auto subject = subject_of<TypeParam>();
+  const ParameterMap parameters = read_parameter_file(subject.file);
+  EXPECT_EQ(parameters.size(), subject.bindings.size());
+  const TypeParam shipped = subject.read(parameters), defaults;
+  for (const auto& [key, get] : subject.bindings)
+  {
+    EXPECT_EQ(parameters.count(key), 1u) << key;
+    EXPECT_EQ(get(shipped), get(defaults)) << key;
+  }
+}
+
+TYPED_TEST_P(ParameterLaws, EachKeySetsItsOwnMemberAndNoOther)
+{
+  const auto subject = subject_of<TypeParam>();
+  const ParameterMap shipped = read_parameter_file(subject.file);
+  for (const auto& [changed, unused] : subject.bindings)
+  {
+    const TypeParam options = subject.read(with(shipped, changed, another(shipped.at(changed))));
+    const TypeParam defaults;
+    for (const auto& [key, get] : subject.bindings)
+      EXPECT_EQ(get(options) != get(defaults), key == changed) << changed << " changed, looking at " << key;
+  }
+}
+
+TYPED_TEST_P(ParameterLaws, EachMissingKeyIsRefusedByName)
+{
+  const auto subject = subject_of<TypeParam>();
+  const ParameterMap shipped = read_parameter_file(subject.file);
+  for (const auto& [key, value] : shipped)
+  {
+    ParameterMap parameters = shipped;
+    parameters.erase(key);
+    EXPECT_EQ(complaint(subject.read, parameters), "missing parameter " + key);
+  }
+}
+
+TYPED_TEST_P(ParameterLaws, UnknownKeyIsRefusedByNameAndTheKnownOnesAreListed)
+{
+  const auto subject = subject_of<TypeParam>();
+  const ParameterMap shipped = read_parameter_file(subject.file);
+  for (const std::string key : {"wheel_base", "", "search/step_time"})
+  {
+    const std::string text = complaint(subject.read, with(shipped, key, 0.25));
+    EXPECT_TRUE(contains(text, "'" + key + "'")) << text;
+    EXPECT_TRUE(contains(text, "0.25")) << text;
+    for (const auto& [known, value] : shipped) EXPECT_TRUE(contains(text, known)) << text;
+  }
+}
+
+TYPED_TEST_P(ParameterLaws, NumberOutsideTheRangeIsRefusedByNameValueAndRange)
+{
+  const auto subject = subject_of<TypeParam>();
+  const double inf = std::numeric_limits<double>::infinity();
+  const ParameterMap shipped = read_parameter_file(subject.file);
+  for (const auto& [key, value] : shipped)
+  {
+    if (!std::holds_alternative<double>(value)) continue;
+    double min = NAN, max = NAN;
+    for (const double bad : {-1e12, 1e12, inf, -inf, std::nan("")})
+    {
+      const std::string text = complaint(subject.read, with(shipped, key, bad));
+      std::ostringstream number;
+      number << bad;
+      EXPECT_TRUE(contains(text, "'" + key + "' is " + number.str() + ", expected a")) << text;
+      ASSERT_TRUE(contains(text, " from ")) << text;
+      ASSERT_EQ(std::sscanf(text.c_str() + text.find(" from "), " from %lf to %lf", &min, &max), 2) << text;
+    }
+    const double step = 1e-6 * std::max(1.0, max);
+    EXPECT_NE(complaint(subject.read, with(shipped, key, min - 1e-6)), "") << key;
+    EXPECT_NE(complaint(subject.read, with(shipped, key, max + step)), "") << key;
+    EXPECT_EQ(complaint(subject.read, with(shipped, key, value)), "") << key;
+  }
+}
+
+TYPED_TEST_P(ParameterLaws, WrongTypeIsRefusedByNameAndValue)
+{
+  const auto subject = subject_of<TypeParam>();
+  const ParameterMap shipped = read_parameter_file(subject.file);
+  for (const auto& [key, value] : shipped)
+  {
+    if (std::holds_alternative<std::string>(value))
+    {
+      const std::string text = complaint(subject.read, with(shipped, key, 1.0));
+      EXPECT_TRUE(contains(text, "'" + key + "' is 1, expected ")) << text;
+      continue;
+    }
+    const bool flag = std::holds_alternative<bool>(value);
+    const std::string swapped = complaint(subject.read, with(shipped, key, flag ? ParameterValue(1.0) : true));
+    EXPECT_TRUE(contains(swapped, "'" + key + (flag ? "' is 1, expected true or false" : "' is true, expected a ")))
+        << swapped;
+    const std::string word = complaint(subject.read, with(shipped, key, std::string("fast")));
+    EXPECT_TRUE(contains(word, "'" + key + "' is 'fast', expected ")) << word;
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(ParameterLaws, ShippedFileHoldsEveryKeyAndEqualsTheDefaults,
+                            EachKeySetsItsOwnMemberAndNoOther,
+                            EachMissingKeyIsRefusedByName,
+                            UnknownKeyIsRefusedByNameAndTheKnownOnesAreListed,
+                            NumberOutsideTheRangeIsRefusedByNameValueAndRange,
+                            WrongTypeIsRefusedByNameAndValue);
+
+}  // namespace fourwis

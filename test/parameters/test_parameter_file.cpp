@@ -1,0 +1,124 @@
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "complaint.h"
+
+namespace fourwis
+{
+namespace
+{
+
+const std::string kRobotFile = FOURWIS_SOURCE_DIR "/config/robot.yaml";
+const std::string kPlannerFile = FOURWIS_SOURCE_DIR "/config/planner.yaml";
+
+/// A parameter file of the test, gone afterwards.
+class ParameterFile : public testing::Test
+{
+protected:
+  ~ParameterFile() override { std::remove(path_.c_str()); }
+
+  std::string write(const std::string& text)
+  {
+    std::ofstream(path_) << text;
+    return path_;
+  }
+  /// What reading `text` throws; empty when nothing.
+  std::string refusal(const std::string& text)
+  {
+    return complaint(+[](const ParameterMap& path) { return read_parameter_file(path.begin()->first); },
+                     {{write(text), true}});
+  }
+
+  std::string path_ = testing::TempDir() + "fourwis_parameters_" +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml";
+};
+
+TEST_F(ParameterFile, ValuesHaveTheTypeOfTheirYaml)
+{
+  const ParameterMap parameters = read_parameter_file(
+      write("a: 1\nb: -2.5e-1\nc: true\nd: 'true'\ne: word\nf: \"3\"\ng: off\nh: y\ni: .inf\nouter: {inner: 4}\n"));
+  const ParameterMap expected = {{"a", 1.0},
+                                 {"b", -0.25},
+                                 {"c", true},
+                                 {"d", std::string("true")},
+                                 {"e", std::string("word")},
+                                 {"f", std::string("3")},
+                                 {"g", false},
+                                 {"h", std::string("y")},
+                                 {"i", std::numeric_limits<double>::infinity()},
+                                 {"outer/inner", 4.0}};
+  EXPECT_EQ(parameters, expected);
+}
+
+TEST_F(ParameterFile, UnusableFilesAreRefusedByNameAndLine)
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"", "holds no parameters"},
+    {"just a sentence", "holds no parameters"},
+    {"- 1\n- 2\n", "holds no parameters"},
+    {"a: 1\nb: [1, 2]\n", ":2: parameter 'b' has no single value"},
+    {"a: 1\nb:\n", ":2: parameter 'b' has no single value"},
+    {"a: 1\nb: 2\na: 3\n", ":3: parameter 'a' appears twice"},
+    {"a: 1\nb: {c: [}\n", ":2: not YAML"},
+    {"a: 1\n\tb: 2\n", ":2: not YAML"},
+    {"? [1, 2]\n: 3\n", ":1: a key must be a plain word"},
+    {"{a: {b: {c: {d: {e: {f: {g: {h: {i: 1}}}}}}}}}\n", ":1: maps nested deeper than 8"},
+  };
+  for (const auto& [text, expected] : cases)
+  {
+    const std::string what = refusal(text);
+    EXPECT_EQ(what.find(path_), 0u) << text << "\n-> " << what;
+    EXPECT_TRUE(contains(what, expected)) << text << "\n-> " << what;
+    EXPECT_FALSE(contains(what, "\n")) << what;
+  }
+}
+
+TEST_F(ParameterFile, MissingFileAndDirectoryAreRefusedByName)
+{
+  for (const std::string path : {"/nowhere/robot.yaml", FOURWIS_SOURCE_DIR})
+  {
+    try
+    {
+      read_parameter_file(path);
+      ADD_FAILURE() << path << " was read";
+    }
+    catch (const ConfigError& error)
+    {
+      EXPECT_EQ(std::string(error.what()).find(path), 0u) << error.what();
+    }
+  }
+}
+
+TEST_F(ParameterFile, RefusedContentsNameTheFile)
+{
+  const std::string path = write("length: 1.0\n");
+  for (const auto& read : std::vector<std::function<void()>>{[&] { read_robot_file(path); },
+                                                              [&] { read_planner_file(path); }})
+  {
+    try
+    {
+      read();
+      ADD_FAILURE() << "was read";
+    }
+    catch (const ConfigError& error)
+    {
+      EXPECT_EQ(std::string(error.what()).find(path + ": "), 0u) << error.what();
+    }
+  }
+}
+
+TEST_F(ParameterFile, ShippedFilesAreReadWhole)
+{
+  EXPECT_EQ(read_robot_file(kRobotFile).length, Robot().length);
+  EXPECT_EQ(read_planner_file(kPlannerFile).planner_patience, PlannerOptions().planner_patience);
+}
+
+}  // namespace
+}  // namespace fourwis

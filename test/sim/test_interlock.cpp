@@ -1,0 +1,167 @@
+#include "fourwis_navigation/sim/interlock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr double kStep = 0.001;
+constexpr double kDegree = M_PI / 180.0;
+using Stage = Interlock::Stage;
+
+PerWheel all(double value)
+{
+  return {value, value, value, value};
+}
+
+struct InterlockOfWheels : testing::Test
+{
+  /// Passes `duration` with these wheels.
+  void pass(double duration, double angle, double speed)
+  {
+    const auto steps = std::lround(duration / kStep);
+    for (long k = 0; k < steps; ++k) interlock.step(kStep, {all(angle), all(speed)});
+  }
+
+  Interlock interlock{{}};
+};
+
+TEST_F(InterlockOfWheels, LocksUntilAModeIsWanted)
+{
+  pass(1.0, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::locked);
+  EXPECT_FALSE(interlock.may_turn());
+  EXPECT_FALSE(interlock.may_drive());
+  EXPECT_FALSE(interlock.aligned());
+}
+
+TEST_F(InterlockOfWheels, WaitsForATenthOfASecondOfStandstill)
+{
+  pass(1.0, 0.0, 0.3);
+  interlock.want(Mode::lateral, all(1.5));
+  pass(1.0, 0.0, 0.3);
+  EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
+  pass(0.09, 0.0, 0.004);
+  pass(0.001, 0.0, 0.006);
+  pass(0.099, 0.0, -0.004);
+  EXPECT_EQ(interlock.stage(), Stage::coming_to_rest) << "99 ms since it was too fast";
+  EXPECT_FALSE(interlock.may_turn());
+  pass(0.001, 0.0, 0.004);
+  EXPECT_EQ(interlock.stage(), Stage::aligning);
+  EXPECT_TRUE(interlock.may_turn());
+  EXPECT_FALSE(interlock.may_drive());
+}
+
+TEST_F(InterlockOfWheels, WaitsUntilTheyHaveBeenNearTheirAnglesFor50Milliseconds)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::lateral, all(90.0 * kDegree));
+  pass(0.3, 45.0 * kDegree, 0.0);
+  pass(0.049, 88.1 * kDegree, 0.0);
+  EXPECT_FALSE(interlock.aligned());
+  pass(0.001, 87.9 * kDegree, 0.0);
+  pass(0.049, 91.9 * kDegree, 0.0);
+  EXPECT_FALSE(interlock.may_drive());
+  pass(0.001, 91.9 * kDegree, 0.0);
+  EXPECT_TRUE(interlock.aligned());
+  EXPECT_TRUE(interlock.may_drive());
+}
+
+TEST_F(InterlockOfWheels, NeedsEveryWheel)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::ackermann, all(0.0));
+  for (int k = 0; k < 500; ++k) interlock.step(kStep, {{0.0, 0.0, 3.0 * kDegree, 0.0}, {}});
+  EXPECT_FALSE(interlock.aligned());
+  Interlock moving{{}};
+  moving.want(Mode::ackermann, all(0.0));
+  for (int k = 0; k < 500; ++k) moving.step(kStep, {{}, {0.0, 0.0, 0.0, -0.01}});
+  EXPECT_EQ(moving.stage(), Stage::coming_to_rest);
+}
+
+TEST_F(InterlockOfWheels, StaysReleasedWithinAMode)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::parallel, all(0.0));
+  pass(0.1, 0.0, 0.0);
+  ASSERT_TRUE(interlock.may_drive());
+  interlock.want(Mode::parallel, all(0.5));
+  EXPECT_TRUE(interlock.may_drive());
+  EXPECT_FALSE(interlock.aligned()) << "with an angle far from the wheels no wheel is near it any more";
+  pass(0.1, 0.5, 1.0);
+  EXPECT_TRUE(interlock.aligned());
+}
+
+TEST_F(InterlockOfWheels, TreatsAJumpOfAnAngleAsAnotherMode)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::parallel, all(0.0));
+  pass(0.1, 0.0, 0.0);
+  pass(0.1, 0.0, 1.0);
+  interlock.want(Mode::parallel, all(29.0 * kDegree));
+  EXPECT_TRUE(interlock.may_drive());
+  interlock.want(Mode::parallel, {29.0 * kDegree, 29.0 * kDegree, 60.0 * kDegree, 29.0 * kDegree});
+  EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
+}
+
+TEST_F(InterlockOfWheels, LocksWithTheNextModeAndWithNone)
+{
+  for (Mode next : {Mode::lateral, Mode::none})
+  {
+    interlock.reset();
+    pass(0.2, 0.0, 0.0);
+    interlock.want(Mode::ackermann, all(0.0));
+    pass(0.1, 0.0, 0.0);
+    ASSERT_TRUE(interlock.may_drive());
+    pass(0.1, 0.0, 1.0);
+    interlock.want(next, all(0.0));
+    EXPECT_FALSE(interlock.may_turn());
+    EXPECT_FALSE(interlock.may_drive());
+    EXPECT_EQ(interlock.stage(), next == Mode::none ? Stage::locked : Stage::coming_to_rest);
+  }
+  interlock.want(Mode::ackermann, all(0.0));
+  EXPECT_EQ(interlock.stage(), Stage::coming_to_rest) << "after none the mode before is a new one";
+}
+
+TEST_F(InterlockOfWheels, FailsWhenTheyDoNotAlignAndSaysSoUntilReset)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::lateral, all(1.5));
+  pass(4.99, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::aligning);
+  pass(0.02, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::failed);
+  interlock.want(Mode::ackermann, all(0.0));
+  pass(1.0, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::failed);
+  EXPECT_FALSE(interlock.may_turn());
+  interlock.reset();
+  interlock.want(Mode::ackermann, all(0.0));
+  pass(0.2, 0.0, 0.0);
+  EXPECT_TRUE(interlock.may_drive());
+}
+
+TEST_F(InterlockOfWheels, FailsWhenTheyDoNotComeToRest)
+{
+  interlock.want(Mode::lateral, all(0.0));
+  pass(5.1, 0.0, 0.3);
+  EXPECT_EQ(interlock.stage(), Stage::failed);
+}
+
+TEST_F(InterlockOfWheels, RefusesOptionsThatMakeNoSense)
+{
+  InterlockOptions options;
+  options.aligned_angle = 0.0;
+  EXPECT_THROW(Interlock{options}, std::invalid_argument);
+  options = {};
+  options.standstill_time = NAN;
+  EXPECT_THROW(Interlock{options}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fourwis

@@ -1,0 +1,12 @@
+#include "../can/bus_laws.h"
+#include "vcan_rig.h"
+
+namespace fourwis::can
+{
+namespace
+{
+
+INSTANTIATE_TYPED_TEST_SUITE_P(SocketCan, BusLaws, VcanRig);
+
+}  // namespace
+}  // namespace fourwis::can

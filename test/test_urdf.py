@@ -1,0 +1,73 @@
+"""urdf/fourwis.urdf shows the robot that config/robot.yaml describes."""
+import pathlib
+import unittest
+import xml.etree.ElementTree
+
+import yaml
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WHEELS = {'front_left': (1, 1), 'front_right': (1, -1), 'rear_left': (-1, 1), 'rear_right': (-1, -1)}
+
+
+def numbers(text):
+    return [float(word) for word in text.split()]
+
+
+class Urdf(unittest.TestCase):
+    def setUp(self):
+        self.robot = yaml.safe_load((ROOT / 'config' / 'robot.yaml').read_text())
+        self.urdf = xml.etree.ElementTree.parse(ROOT / 'urdf' / 'fourwis.urdf').getroot()
+
+    def joint(self, name):
+        found = self.urdf.findall(f"joint[@name='{name}']")
+        self.assertEqual(len(found), 1, name)
+        return found[0]
+
+    def link(self, name):
+        found = self.urdf.findall(f"link[@name='{name}']")
+        self.assertEqual(len(found), 1, name)
+        return found[0]
+
+    def test_the_body_is_the_rectangle(self):
+        size = numbers(self.link('base_link').find('visual/geometry/box').get('size'))
+        self.assertEqual(size[:2], [self.robot['length'], self.robot['width']])
+
+    def test_the_steering_axes_are_where_the_robot_has_them(self):
+        for name, (front, left) in WHEELS.items():
+            joint = self.joint(name + '_steering_joint')
+            self.assertEqual(joint.find('parent').get('link'), 'base_link')
+            x, y, _ = numbers(joint.find('origin').get('xyz'))
+            self.assertAlmostEqual(x, front * self.robot['wheelbase'] / 2)
+            self.assertAlmostEqual(y, left * self.robot['track_width'] / 2)
+            self.assertEqual(numbers(joint.find('axis').get('xyz')), [0, 0, 1])
+
+    def test_the_steering_joints_have_the_travel_and_rate_of_the_wheels(self):
+        for name in WHEELS:
+            joint = self.joint(name + '_steering_joint')
+            self.assertEqual(joint.get('type'), 'revolute')
+            limit = joint.find('limit')
+            self.assertAlmostEqual(float(limit.get('lower')), -self.robot['wheel_max_angle'])
+            self.assertAlmostEqual(float(limit.get('upper')), self.robot['wheel_max_angle'])
+            self.assertAlmostEqual(float(limit.get('velocity')), self.robot['wheel_max_rate'])
+
+    def test_the_wheels_roll_forward_below_their_steering_joints_and_stand_on_the_ground(self):
+        for name in WHEELS:
+            steering, rolling = self.joint(name + '_steering_joint'), self.joint(name + '_wheel_joint')
+            self.assertEqual(rolling.get('type'), 'continuous')
+            self.assertEqual(rolling.find('parent').get('link'), steering.find('child').get('link'))
+            self.assertEqual(numbers(rolling.find('axis').get('xyz')), [0, 1, 0])
+            tyre = self.link(rolling.find('child').get('link')).find('visual/geometry/cylinder')
+            height = numbers(steering.find('origin').get('xyz'))[2]
+            self.assertAlmostEqual(float(tyre.get('radius')), height)
+
+    def test_it_is_one_tree_of_nothing_but_these_joints(self):
+        joints = {joint.get('name') for joint in self.urdf.findall('joint')}
+        self.assertEqual(joints, {f'{name}_{kind}_joint' for name in WHEELS for kind in ('steering', 'wheel')})
+        links = {link.get('name') for link in self.urdf.findall('link')}
+        children = [joint.find('child').get('link') for joint in self.urdf.findall('joint')]
+        self.assertEqual(len(children), len(set(children)))
+        self.assertEqual(links - set(children), {'base_link'})
+
+
+if __name__ == '__main__':
+    unittest.main()

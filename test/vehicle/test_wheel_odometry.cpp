@@ -1,0 +1,149 @@
+#include "fourwis_navigation/vehicle/wheel_odometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "../support/random.h"
+#include "fourwis_navigation/vehicle/wheel_motion.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 44;
+constexpr double kInterval = 0.01;
+
+struct OdometryOfWheels : testing::Test
+{
+  void drive(Mode mode, double v, double phi, int steps)
+  {
+    for (int k = 0; k < steps; ++k) odometry.update(stamp += kInterval, wheel_motion(robot, mode, v, phi));
+  }
+  void expect_pose(const Pose& expected, double accuracy)
+  {
+    EXPECT_LT(distance(odometry.state().pose, expected), accuracy);
+    EXPECT_NEAR(odometry.state().pose.theta, expected.theta, accuracy);
+  }
+
+  const Robot robot;
+  double stamp = 100.0;
+  WheelOdometry odometry{robot, {}};
+};
+
+TEST_F(OdometryOfWheels, FollowsTheArcOfEveryMode)
+{
+  for (Mode mode : {Mode::ackermann, Mode::lateral, Mode::parallel, Mode::spin})
+    for (double phi : {0.0, 0.4, -0.5})
+    {
+      odometry = WheelOdometry(robot, {});
+      const Pose start{3.0, -1.0, 0.7};
+      odometry.set_pose(start);
+      drive(mode, 0.6, phi, 201);  // the first begins, each of the others is an interval
+      SCOPED_TRACE(to_string(mode));
+      expect_pose(move(start, body_twist(robot, mode, 0.6, phi), 2.0), 1e-9);
+    }
+}
+
+TEST_F(OdometryOfWheels, TakesTheMeanOfTheTwistsOfAnInterval)
+{
+  constexpr double kAcceleration = 2.0;
+  for (int k = 0; k <= 50; ++k)
+    odometry.update(stamp + k * kInterval, wheel_motion(robot, Mode::lateral, kAcceleration * k * kInterval, 0.0));
+  expect_pose({0.0, kAcceleration * 0.5 * 0.5 / 2.0, 0.0}, 1e-9);
+}
+
+TEST_F(OdometryOfWheels, RefusesWhatIsNoNumberAndStampsThatDoNotGrow)
+{
+  WheelMotion wheels = wheel_motion(robot, Mode::ackermann, 1.0, 0.0);
+  EXPECT_EQ(odometry.update(5.0, wheels), OdometryStatus::first);
+  EXPECT_EQ(odometry.update(5.0, wheels), OdometryStatus::not_newer);
+  EXPECT_EQ(odometry.update(4.9, wheels), OdometryStatus::not_newer);
+  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    WheelMotion broken = wheels;
+    broken.speed[3] = bad;
+    EXPECT_EQ(odometry.update(5.1, broken), OdometryStatus::not_finite);
+    broken = wheels;
+    broken.angle[0] = bad;
+    EXPECT_EQ(odometry.update(5.1, broken), OdometryStatus::not_finite);
+    EXPECT_EQ(odometry.update(bad, wheels), OdometryStatus::not_finite);
+  }
+  EXPECT_EQ(odometry.state().stamp, 5.0);
+  EXPECT_EQ(odometry.update(5.1, wheels), OdometryStatus::integrated);
+  expect_pose({0.1, 0.0, 0.0}, 1e-9);
+}
+
+TEST_F(OdometryOfWheels, DoesNotInventWhatHappenedInAGap)
+{
+  const WheelMotion wheels = wheel_motion(robot, Mode::ackermann, 1.0, 0.0);
+  odometry.update(5.0, wheels);
+  EXPECT_EQ(odometry.update(5.6, wheels), OdometryStatus::gap);
+  expect_pose({}, 1e-12);
+  EXPECT_EQ(odometry.update(5.7, wheels), OdometryStatus::integrated);
+  expect_pose({0.1, 0.0, 0.0}, 1e-9);
+}
+
+TEST_F(OdometryOfWheels, GoesOnFromAPoseThatItIsGiven)
+{
+  drive(Mode::ackermann, 1.0, 0.3, 50);
+  odometry.set_pose({1.0, 2.0, M_PI_2});
+  EXPECT_EQ(odometry.state().pose_covariance, Eigen::Matrix3d::Zero());
+  drive(Mode::ackermann, 1.0, 0.0, 1);
+  EXPECT_GT(odometry.state().pose.y, 2.004);
+}
+
+TEST_F(OdometryOfWheels, KnowsThatWheelsBesideTheirAxesRollWhenSteeredAtRest)
+{
+  constexpr double kOffset = 0.04, kRate = 1.5;
+  odometry = WheelOdometry(robot, {0.01, 0.1, kOffset});
+  for (int k = 0; k <= 50; ++k)
+  {
+    WheelMotion wheels;
+    wheels.angle.fill(kRate * k * kInterval);
+    wheels.speed.fill(-kOffset * kRate);
+    odometry.update(stamp + k * kInterval, wheels);
+  }
+  // The first measurement has no rate yet, and counts for half an interval.
+  expect_pose({}, kOffset * kRate * kInterval);
+}
+
+/// Scatter of where the odometry of noisy wheels ends, and what it says of it.
+TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
+{
+  constexpr int kRuns = 600, kSteps = 200;  // noise so small that its square does not shorten the way
+  constexpr double kDeviation = 0.01, kSpeed = 0.5;
+  const WheelMotion truth = wheel_motion(robot, Mode::ackermann, kSpeed, 0.3);
+  std::mt19937_64 engine(kSeed);
+  std::normal_distribution<double> noise(0.0, kDeviation);
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero(), claimed = Eigen::Matrix3d::Zero();
+  const Pose end = move({}, body_twist(robot, Mode::ackermann, kSpeed, 0.3), kSteps * kInterval);
+  for (int run = 0; run < kRuns; ++run)
+  {
+    WheelOdometry one(robot, {kDeviation, 1e3, 0.0});
+    for (int k = 0; k <= kSteps; ++k)
+    {
+      WheelMotion wheels = truth;
+      for (std::size_t i = 0; i < kWheels; ++i)
+      {
+        wheels.speed[i] += noise(engine);
+        wheels.angle[i] += noise(engine) / truth.speed[i];
+      }
+      one.update(k * kInterval, wheels);
+    }
+    const Pose& pose = one.state().pose;
+    const Eigen::Vector3d error(pose.x - end.x, pose.y - end.y, pose.theta - end.theta);
+    scatter += error * error.transpose() / kRuns;
+    claimed += one.state().pose_covariance / kRuns;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_GT(claimed(i, i), 0.9 * scatter(i, i)) << i;
+    EXPECT_LT(claimed(i, i), 1.8 * scatter(i, i)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace fourwis
