@@ -72,7 +72,7 @@ bool DriveMonitor::rests(const Tracking& tracking) const
   if (tracking.state != Tracking::IDLE && tracking.state != Tracking::ARRIVED && tracking.state != Tracking::FAILED)
     return false;
   // A controller that started after the stop was sent has not taken it, and does not need it.
-  return tracking.trajectory == stamp_ || report_.phase == DrivePhase::lost || kind_ == Kind::nothing ||
+  return tracking.trajectory == stamp_ || ended() || kind_ == Kind::nothing ||
          (kind_ == Kind::stop && tracking.trajectory.isZero());
 }
 

@@ -18,6 +18,7 @@
 #include "fourwis_navigation/PlannerStatus.h"
 #include "fourwis_navigation/ros/conversions.h"
 #include "inbox.h"
+#include "run_rostest.h"
 
 namespace fourwis
 {
@@ -108,12 +109,14 @@ protected:
     message.header.frame_id = "map";
     message.pose.pose = to_message(pose);
     initial_pose_.publish(message);
-    const auto starts_there = [&]
-    {
-      const auto points = plan(stamped({}, ""), stamped(pose)).trajectory.points;
-      return !points.empty() && points.front().x == pose.x && points.front().y == pose.y;
-    };
-    ASSERT_TRUE(wait_until(starts_there));
+    ASSERT_TRUE(wait_until([&] { return starts_at(pose); }));
+  }
+
+  /// Whether the planner knows that the robot is there.
+  bool starts_at(const Pose& pose)
+  {
+    const auto points = plan(stamped({}, ""), stamped(pose)).trajectory.points;
+    return !points.empty() && std::abs(points.front().x - pose.x) < 1e-3 && std::abs(points.front().y - pose.y) < 1e-3;
   }
 
   void send_goal(const geometry_msgs::PoseStamped& goal) { goal_.publish(goal); }
@@ -165,16 +168,5 @@ protected:
   Inbox<ModeTrajectory> trajectories_{"trajectory"};
   MoveBaseClient action_{"move_base", false};
 };
-
-/// For the main of a rostest: callbacks run beside the tests.
-inline int run_rostest(int argc, char** argv, const std::string& name)
-{
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, name);
-  const ros::NodeHandle node;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
 
 }  // namespace fourwis

@@ -58,12 +58,6 @@ protected:
   /// Where the planner says that the robot is, or why it does not know.
   PlanTrajectory::Response plan_from_robot() { return plan(stamped({}, ""), stamped({8, 8, 0})); }
 
-  bool starts_at(const Pose& pose)
-  {
-    const auto points = plan_from_robot().trajectory.points;
-    return !points.empty() && std::abs(points.front().x - pose.x) < 1e-3 && std::abs(points.front().y - pose.y) < 1e-3;
-  }
-
   void expect_refused(const std::string& part)
   {
     const PlanTrajectory::Response answer = plan_from_robot();

@@ -138,6 +138,15 @@ TEST_F(DriveMonitorTest, a_controller_that_was_restarted_after_the_stop_rests_wi
   EXPECT_TRUE(rests());
 }
 
+TEST_F(DriveMonitorTest, a_controller_that_was_restarted_after_the_drive_rests)
+{
+  begin_to_drive();
+  hear(103.0, Tracking::ARRIVED, kBegin);
+  hear(104.0, Tracking::IDLE, {});
+  EXPECT_EQ(monitor_.at_rest_since(now_), ros::Time(103.0));
+  EXPECT_EQ(phase(), DrivePhase::arrived);
+}
+
 TEST_F(DriveMonitorTest, a_robot_that_does_not_come_to_rest_is_lost)
 {
   begin_to_drive();
