@@ -35,7 +35,6 @@ protected:
   {
     std_srvs::Trigger call;
     ros::service::call("/base_simulator/clear_faults", call);
-    press_emergency_stop(false);
   }
 
   std_srvs::Trigger::Response call(const std::string& service)
