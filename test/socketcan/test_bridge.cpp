@@ -1,7 +1,7 @@
 #include <linux/can/error.h>
 
 #include "../can/bus_laws.h"
-#include "../support/driven_base.h"
+#include "../sim/bridge_fault_cases.h"
 #include "candump.h"
 #include "vcan_rig.h"
 
@@ -10,65 +10,15 @@ namespace fourwis::can
 namespace
 {
 
-/// What candump writes of a command for a driving drive, RPDO1 of nodes 5 to 8: controlword, mode, target velocity.
-bool is_driving_command(const std::string& line)
-{
-  return line.size() == 18 && line.compare(0, 2, "20") == 0 && line[2] >= '5' && line[2] <= '8';
-}
-bool moves(const std::string& line)
-{
-  return is_driving_command(line) && line.substr(10) != "00000000";
-}
-
-/// Bridge and fake drives with a socket each on vcan0.
-class BridgeOnVcan : public testing::Test
+/// Ends of vcan0 for the bridge, the drives, and one who waits.
+class VcanEnds
 {
 protected:
-  BridgeOnVcan() { simulator.time_step = 0.005; }
-
-  static long count(const std::vector<std::string>& frames, bool (*is)(const std::string&))
-  {
-    return std::count_if(frames.begin(), frames.end(), is);
-  }
-  BridgeStage stage() { return base.bridge().report().stage; }
-  double distance() const { return base.drives().pose().x; }
-
-  void enable()
-  {
-    ASSERT_TRUE(base.become(BaseState::ready, 10.0)) << base.state();
-    ASSERT_EQ(base.bridge().enable(base.now()), nullptr);
-    ASSERT_TRUE(base.become(BaseState::enabled, 3.0)) << base.state();
-  }
-  void drive_ahead()
-  {
-    const double before = distance();
-    base.drive(wheel_motion(robot, Mode::ackermann, 0.5, 0.0));
-    base.advance(2.0);
-    EXPECT_GT(distance(), before + 0.5);
-  }
-
-  /// After a break that is over: usable within a second, commands or not no motion, until it is enabled.
-  void expect_recovery()
-  {
-    Candump candump;
-    EXPECT_TRUE(base.reach(1.0, [&] { return stage() != BridgeStage::link_down; }));
-    const bool cleared = base.bridge().clear_faults(base.now()) == nullptr;
-    EXPECT_TRUE(base.become(BaseState::ready, 10.0)) << base.state() << (cleared ? "" : ", not cleared");
-    const double before = distance();
-    base.advance(0.5);
-    EXPECT_NEAR(distance(), before, 1e-3);
-    const std::vector<std::string> frames = candump.frames();
-    EXPECT_GT(count(frames, [](const std::string& line) { return line == "080#"; }), 45);
-    EXPECT_EQ(count(frames, moves), 0);
-    enable();
-    drive_ahead();
-  }
-
   /// The kernel may deliver frames a little later, which must not look like simulated time: waits until all that was sent
   /// has come, unless it was lost with the link.
   void settle()
   {
-    const auto sent = [this] { return master->counters().sent + others->counters().sent; };
+    const auto sent = [this] { return bridge_end->counters().sent + drives_end->counters().sent; };
     Frame frame;
     while (witness->counters().received + lost < sent())
     {
@@ -81,20 +31,57 @@ protected:
   }
 
   VcanRig rig;
-  Robot robot;
-  BridgeOptions options;
-  SimulatorOptions simulator;
-  std::unique_ptr<Bus> master = rig.open(), others = rig.open(), witness = rig.open();
+  std::unique_ptr<Bus> bridge_end = rig.open(), drives_end = rig.open(), witness = rig.open();
   std::uint64_t lost = 0;
-  DrivenBase base{*master, *others, robot, options, simulator, [this](double) { settle(); }};
+};
+
+/// What candump writes of a command for a driving drive, RPDO1 of nodes 5 to 8: controlword, mode, target velocity.
+bool is_driving_command(const std::string& line)
+{
+  return line.size() == 18 && line.compare(0, 2, "20") == 0 && line[2] >= '5' && line[2] <= '8';
+}
+bool moves(const std::string& line)
+{
+  return is_driving_command(line) && line.substr(10) != "00000000";
+}
+bool is_sync(const std::string& line)
+{
+  return line == "080#";
+}
+
+class BridgeOnVcan : public testing::Test, protected VcanEnds, protected BridgeBench
+{
+protected:
+  BridgeOnVcan() : BridgeBench(*bridge_end, *drives_end, [this](double) { settle(); }) {}
+
+  static long count(const std::vector<std::string>& frames, bool (*is)(const std::string&))
+  {
+    return std::count_if(frames.begin(), frames.end(), is);
+  }
+  double distance() const { return drives.pose().x; }
+
+  /// After a break that is over: usable within a second; commands or not, no motion until it is enabled.
+  void expect_recovery(Fault name)
+  {
+    Candump candump;
+    EXPECT_LE(wait_for(BridgeStage::ready), 1.0) << cause();
+    EXPECT_TRUE(told(name)) << cause();
+    const double before = distance();
+    pass(0.5);
+    EXPECT_EQ(distance(), before);
+    const std::vector<std::string> frames = candump.frames();
+    EXPECT_GT(count(frames, is_sync), 45);
+    EXPECT_EQ(count(frames, moves), 0);
+    drive();
+  }
 };
 
 TEST_F(BridgeOnVcan, StartsTheDrivesAndMovesThemOnlyWhenEnabled)
 {
   Candump still;
-  ASSERT_TRUE(base.become(BaseState::ready, 10.0)) << base.state();
-  base.drive(wheel_motion(robot, Mode::ackermann, 0.5, 0.0));
-  base.advance(0.5);
+  command(Mode::ackermann, 0.0, 0.5);
+  ASSERT_LT(wait_for(BridgeStage::ready), 5.0) << cause();
+  pass(0.5);
   EXPECT_EQ(distance(), 0.0);
   const std::vector<std::string> before = still.frames();
   EXPECT_EQ(count(before, moves), 0);
@@ -102,52 +89,54 @@ TEST_F(BridgeOnVcan, StartsTheDrivesAndMovesThemOnlyWhenEnabled)
     EXPECT_NE(std::find(before.begin(), before.end(), boot_up), before.end()) << boot_up;
 
   Candump moving;
-  enable();
-  drive_ahead();
+  drive();
+  pass(1.0);
+  EXPECT_GT(distance(), 0.5);
   const std::vector<std::string> after = moving.frames();
   EXPECT_GT(count(after, moves), 4 * 100);
-  EXPECT_LE(count(after, is_driving_command), 3 * 4 * 500) << "not more than twice a cycle";
 }
 
 TEST_F(BridgeOnVcan, RecoversFromALinkThatWasDown)
 {
-  enable();
-  drive_ahead();
+  drive();
   rig.take_down();
-  base.advance(0.5);
+  pass(0.5);
   EXPECT_EQ(stage(), BridgeStage::link_down);
-  EXPECT_NEAR(base.drives().twist().vx, 0.0, 1e-3) << "the drives stop by themselves";
+  EXPECT_EQ(fastest_wheel(), 0.0) << "the drives stop by themselves";
   rig.bring_up();
-  expect_recovery();
+  expect_recovery(Fault::link_down);
 }
 
 TEST_F(BridgeOnVcan, RecoversFromAnInterfaceThatWasDeleted)
 {
-  enable();
-  drive_ahead();
+  drive();
   rig.remove();
-  base.advance(0.5);
+  pass(0.5);
   EXPECT_EQ(stage(), BridgeStage::link_down);
-  EXPECT_NEAR(base.drives().twist().vx, 0.0, 1e-3) << "the drives stop by themselves";
+  EXPECT_EQ(fastest_wheel(), 0.0) << "the drives stop by themselves";
   rig.add();
-  expect_recovery();
+  expect_recovery(Fault::link_down);
 }
 
 TEST_F(BridgeOnVcan, RecoversFromBusOff)
 {
-  enable();
-  drive_ahead();
-  const auto controller = rig.open();
-  ASSERT_EQ(controller->send({CAN_ERR_BUSOFF, false, false, true, 8, {}}), BusStatus::ok);
-  base.advance(0.1);
-  EXPECT_EQ(base.bridge().report().history[0].fault, Fault::bus_off) << base.state();
-  Candump candump;
-  base.advance(0.5);
-  EXPECT_EQ(count(candump.frames(), moves), 0);
-  EXPECT_NEAR(base.drives().twist().vx, 0.0, 1e-3);
-  ASSERT_EQ(controller->send({CAN_ERR_RESTARTED, false, false, true, 8, {}}), BusStatus::ok);
-  expect_recovery();
+  drive();
+  ASSERT_EQ(witness->send({CAN_ERR_BUSOFF, false, false, true, 8, {}}), BusStatus::ok);
+  ASSERT_EQ(witness->send({CAN_ERR_RESTARTED, false, false, true, 8, {}}), BusStatus::ok);
+  tick();
+  expect_recovery(Fault::bus_off);
 }
+
+class FaultsOnVcan : public BridgeOnVcan, public testing::WithParamInterface<FaultCase>
+{
+};
+
+TEST_P(FaultsOnVcan, StopTheBaseInTimeAndHaveTheirName)
+{
+  expect_stop(*this, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FaultsOnVcan, testing::ValuesIn(kFaultCases));
 
 }  // namespace
 }  // namespace fourwis::can
