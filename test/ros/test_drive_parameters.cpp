@@ -98,7 +98,6 @@ TEST(DriveParameters, what_is_unknown_or_out_of_range_is_refused_by_name)
 
   const auto of_simulator = [](const std::string& key, const ParameterValue& value)
   { return error_with(simulator(), base_simulator_parameters_from, key, value); };
-  EXPECT_TRUE(says(of_simulator("bus", std::string("can9")), "'bus' is 'can9', expected 'direct'"));
   EXPECT_TRUE(says(of_simulator("real_time_factor", 0.0), "expected a number from 0.01 to 1000"));
   EXPECT_TRUE(says(of_simulator("publish_clock", 1.0), "true or false"));
 }
