@@ -72,13 +72,14 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
   horizon_.end_weight = kEnd;
   horizon_.intervals.resize(count);
-  for (std::size_t k = 0; k < count; ++k) horizon_.intervals[k].h = times_[k + 1] - times_[k];
+  for (std::size_t k = 0; k < count; ++k) horizon_.intervals[k] = {Eigen::Matrix<double, 5, 7>::Zero(), times_[k + 1] - times_[k]};
 
   problem_.reset(options.knots);
   hold_.states.assign(count + 1, ErrorState::Zero());
   hold_.controls.assign(count, ErrorInput::Zero());
   knots_.resize(count + 1);
   prediction_.resize(count + 1);
+  solver_.solve(horizon_, problem_, hold_);  // so that it has its storage
 }
 
 void Mpc::restart(Mode mode, const SteeringRange& steering)
