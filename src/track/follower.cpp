@@ -119,11 +119,9 @@ ModeMotion Follower::rest(const Measurement& now)
   return still;
 }
 
-ModeMotion Follower::brake(const Measurement& now)
+ModeMotion Follower::brake()
 {
-  const double v = forecast_.asked(now.now + options_.command_latency).v;
-  const double slower = std::copysign(std::max(0.0, std::abs(v) - robot_.max_acceleration * period_), v);
-  ask(now, {(slower - v) / period_, 0.0}, period_);
+  asked_.v = std::copysign(std::max(0.0, std::abs(asked_.v) - robot_.max_acceleration * period_), asked_.v);
   return asked_;
 }
 

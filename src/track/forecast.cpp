@@ -14,7 +14,7 @@ namespace
 /// A lag shorter than this is none [s].
 constexpr double kLeastLag = 1e-3;
 /// Step of the roll-out [s].
-constexpr double kStep = 0.02;
+constexpr double kStep = 0.01;
 
 double faded(double deviation, double time, double lag)
 {

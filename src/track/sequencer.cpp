@@ -159,7 +159,7 @@ RestingPlace Sequencer::resting_place() const
 /// Reduces the speed along the present curve; at rest, holds the wheels.
 WheelCommand Sequencer::brake()
 {
-  const ModeMotion slower = follower_.brake(measured_);
+  const ModeMotion slower = follower_.brake();
   rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
   if (rolling_) return steering_.command();
   const double ramp = robot_.max_speed / robot_.max_acceleration;

@@ -15,11 +15,11 @@ struct TrackOptions
   double horizon = 1.0;                  ///< how far it looks ahead [s]
   int knots = 25;                        ///< intervals of the horizon; the first is one control step long
   double lateral_scale = 0.02;           ///< across the direction of travel [m]
-  double longitudinal_scale = 0.02;      ///< along it [m]
+  double longitudinal_scale = 0.04;      ///< along it [m]
   double heading_scale = 0.05;           ///< [rad]
   double speed_scale = 0.5;              ///< [m/s]
   double steering_scale = 0.5;           ///< of phi [rad]
-  double acceleration_scale = 2.0;       ///< of a [m/s^2]
+  double acceleration_scale = 4.0;       ///< of a [m/s^2]
   double steering_rate_scale = 2.0;      ///< of omega [rad/s]
 
   // What is known of the base between a measurement and what a command does.
