@@ -66,7 +66,7 @@ struct BaseSimulatorParameters
 };
 
 /// The whole private namespace of the simulator's node: its own keys, `robot/...`, `simulator/...` and, where there is a bus,
-/// `can_bridge/...`. Throws ConfigError.
+/// `bridge/...`. Throws ConfigError.
 BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& parameters);
 
 }  // namespace fourwis
