@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <ros/master.h>
+#include <ros/network.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <xmlrpcpp/XmlRpcClient.h>
@@ -83,7 +84,7 @@ TEST_F(Bus, a_goal_is_reached_over_frames_and_killing_the_bridge_stops_the_drive
   ASSERT_TRUE(truth_.wait_for_any());
   enable();
 
-  const Pose goal{3.0, 1.6, 0.0};
+  const Pose goal{1.1, 5.0, -1.2};  // sideways, then parallel
   send_goal(goal);
   ASSERT_TRUE(tracking_.wait_for([](const Tracking& t) { return t.state == Tracking::ARRIVED; }));
   EXPECT_LT(distance(truth(), goal), 0.02);
