@@ -56,7 +56,7 @@ BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& param
   result.node = simulator_options(reader);
   result.robot = reader.group("robot", robot_from);
   result.simulator = reader.group("simulator", simulator_options_from);
-  if (result.node.bus != kDirect) result.bridge = reader.group("bridge", bridge_options_from);
+  if (result.node.bus != kDirect) result.bridge = reader.group("can_bridge", bridge_options_from);
   reader.finish();
   return result;
 }
