@@ -8,7 +8,9 @@ import math
 import statistics
 import sys
 import threading
+import time
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped
 
@@ -113,7 +115,16 @@ def goal_at(text):
     return goal
 
 
+def wait_for_controller():
+    """Before rospy begins: whose clock it takes is known once the nodes run."""
+    master = rosgraph.Master('/drive_tour')
+    while not (master.is_online() and any(topic.endswith('mpc_controller/tracking')
+                                          for topic, _ in master.getPublishedTopics('/'))):
+        time.sleep(0.1)
+
+
 def main(goals):
+    wait_for_controller()
     rospy.init_node('drive_tour', disable_signals=True)
     tour = Tour()
     rospy.wait_for_message('move_base/planner_status', PlannerStatus)
