@@ -23,13 +23,14 @@ public:
 
   struct Answer
   {
-    ModeMotion command;  ///< for the wheels, their lag made up for
-    Trouble trouble;     ///< the command is none
+    ModeMotion command;     ///< for the wheels, their lag made up for
+    Trouble trouble;        ///< the command is none
     bool finished = false;  ///< the robot rests at the stretch's end, as near as following gets it
   };
   Answer step(const Measurement& now);
 
-  /// Slows down for one control step along the present curve instead; what to command, v = 0 at last. Needs no measurement.
+  /// Slows down for one control step along the present curve instead; what to command, v = 0 at last. Needs no
+  /// measurement.
   ModeMotion brake();
 
   /// Of the last step.

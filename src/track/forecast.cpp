@@ -24,7 +24,9 @@ double faded(double deviation, double time, double lag)
 }  // namespace
 
 Forecast::Forecast(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), drive_lag_(options.drive_lag), steering_lag_(options.steering_lag)
+  : robot_(robot),
+    drive_lag_(options.drive_lag),
+    steering_lag_(options.steering_lag)
 {
   restart(Mode::none, 0.0);
 }

@@ -15,7 +15,9 @@ namespace fourwis
 class SimulatorRig
 {
 public:
-  explicit SimulatorRig(const Pose& start, const SimulatorOptions& options = {}) : base(robot, options), tracker(robot, {})
+  explicit SimulatorRig(const Pose& start, const SimulatorOptions& options = {})
+    : base(robot, options),
+      tracker(robot, {})
   {
     base.place(start);
   }
@@ -27,8 +29,8 @@ public:
     {
       output = tracker.step({base.time(), base.time(), base.pose(), base.wheels()});
       message = std::string(output.message);
-      const bool resting = output.state == TrackState::idle || output.state == TrackState::arrived ||
-                           output.state == TrackState::failed;
+      const bool resting =
+        output.state == TrackState::idle || output.state == TrackState::arrived || output.state == TrackState::failed;
       if (busy && resting) return;
       busy |= !resting;
       if (each_step) each_step();

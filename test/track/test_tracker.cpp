@@ -22,16 +22,18 @@ struct Errors
 Errors drive(Rig& rig)
 {
   Errors errors;
-  rig.step_until([&] {
-    if (rig.output.state == TrackState::driving)
+  rig.step_until(
+    [&]
     {
-      errors.lateral = std::max(errors.lateral, std::abs(rig.output.lateral_error));
-      errors.longitudinal = std::max(errors.longitudinal, std::abs(rig.output.longitudinal_error));
-      errors.heading = std::max(errors.heading, std::abs(rig.output.heading_error));
-      errors.all.push_back(rig.output.lateral_error);
-    }
-    return is_resting(rig.output.state);
-  });
+      if (rig.output.state == TrackState::driving)
+      {
+        errors.lateral = std::max(errors.lateral, std::abs(rig.output.lateral_error));
+        errors.longitudinal = std::max(errors.longitudinal, std::abs(rig.output.longitudinal_error));
+        errors.heading = std::max(errors.heading, std::abs(rig.output.heading_error));
+        errors.all.push_back(rig.output.lateral_error);
+      }
+      return is_resting(rig.output.state);
+    });
   return errors;
 }
 
@@ -52,16 +54,19 @@ TEST(Tracker, IdealWheelsKeepToLinesArcsCuspsAndSwitches)
 {
   const Robot robot;
   const Pose start = {1.0, 2.0, 0.5};
-  for (const std::vector<Piece>& pieces : std::vector<std::vector<Piece>>{
-         {{Mode::ackermann, 0.0, 3.0}},
-         {{Mode::ackermann, 0.3, 2.0}},
-         {{Mode::ackermann, -0.4, -1.5}},
-         {{Mode::lateral, 0.0, 2.0}},
-         {{Mode::lateral, -0.3, -1.5}},
-         {{Mode::parallel, 0.8, 2.0}},
-         {{Mode::parallel, -1.5, -1.0}},
-         {{Mode::ackermann, 0.3, 1.0}, {Mode::ackermann, 0.3, -1.0}},
-         {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}, {Mode::lateral, 0.0, 0.5}}})
+  for (const std::vector<Piece>& pieces :
+       std::vector<std::vector<Piece>>{{{Mode::ackermann, 0.0, 3.0}},
+                                       {{Mode::ackermann, 0.3, 2.0}},
+                                       {{Mode::ackermann, -0.4, -1.5}},
+                                       {{Mode::lateral, 0.0, 2.0}},
+                                       {{Mode::lateral, -0.3, -1.5}},
+                                       {{Mode::parallel, 0.8, 2.0}},
+                                       {{Mode::parallel, -1.5, -1.0}},
+                                       {{Mode::ackermann, 0.3, 1.0}, {Mode::ackermann, 0.3, -1.0}},
+                                       {{Mode::lateral, 0.2, -1.5},
+                                        {Mode::ackermann, 0.1, 1.0},
+                                        {Mode::parallel, 0.7, 1.0},
+                                        {Mode::lateral, 0.0, 0.5}}})
     expect_within_a_millimetre(start, trajectory_of(robot, start, pieces));
 }
 
@@ -130,7 +135,8 @@ TEST(Tracker, TwentyHertzWillDo)
   TrackOptions options = ideal_options();
   options.controller_frequency = 20.0;
   Rig rig({}, options);
-  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.3, 2.0}, {Mode::lateral, 0.1, 1.0}})), "");
+  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.3, 2.0}, {Mode::lateral, 0.1, 1.0}})),
+            "");
   const Errors errors = drive(rig);
   EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
   EXPECT_LT(errors.lateral, 3e-3);
@@ -161,7 +167,9 @@ TEST(Tracker, TheSameCallsGiveTheSameAnswers)
 {
   Rig one({0.01, 0.02, 0.03}), two({0.01, 0.02, 0.03});
   for (Rig* rig : {&one, &two})
-    ASSERT_EQ(rig->tracker.accept(trajectory_of(rig->robot, {}, {{Mode::ackermann, 0.2, 1.0}, {Mode::parallel, 1.0, 1.0}})), "");
+    ASSERT_EQ(
+      rig->tracker.accept(trajectory_of(rig->robot, {}, {{Mode::ackermann, 0.2, 1.0}, {Mode::parallel, 1.0, 1.0}})),
+      "");
   for (int k = 0; k < 300; ++k)
   {
     const WheelCommand a = one.step().command, b = two.step().command;

@@ -26,7 +26,8 @@ double greatest_speed(const WheelCommand& command)
 TEST(TrackerSequence, TurnsWheelsAtRestAndDrivesOnceTheyAreAligned)
 {
   Rig rig;
-  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}})), "");
+  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}})),
+            "");
   bool drove_lateral = false;
   while (!is_resting(rig.step().state) || rig.output.state == TrackState::idle)
   {
@@ -45,8 +46,8 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
 {
   const std::vector<std::function<void(TrackInput&)>> lies = {
     [](TrackInput& input) { input.wheels.mode = Mode::ackermann; },
-    [](TrackInput& input) { input.wheels.sequence = 0; },                 // from before
-    [](TrackInput& input) { input.wheels.sequence += 1000; },             // of another controller
+    [](TrackInput& input) { input.wheels.sequence = 0; },      // from before
+    [](TrackInput& input) { input.wheels.sequence += 1000; },  // of another controller
     [](TrackInput& input) { input.wheels.sequence = 0xfffffff0u; },
     [](TrackInput& input) { input.wheels.aligned = false; },
   };
@@ -56,7 +57,8 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
     Rig rig;
     for (int k = 0; k < 10; ++k) rig.step();
     ASSERT_EQ(rig.tracker.accept(sideways(rig.robot)), "");
-    rig.tamper = [&](TrackInput& input) {
+    rig.tamper = [&](TrackInput& input)
+    {
       input.wheels.aligned = true;
       lies[i](input);
     };
@@ -99,10 +101,12 @@ TEST(TrackerSequence, ANewTrajectoryWhileDrivingStopsFirst)
   const Trajectory next = sideways(rig.robot, rest);
   ASSERT_EQ(rig.tracker.accept(next), "");
   std::set<TrackState> seen;
-  rig.step_until([&] {
-    seen.insert(rig.output.state);
-    return is_resting(rig.output.state) && rig.output.state != TrackState::idle;
-  });
+  rig.step_until(
+    [&]
+    {
+      seen.insert(rig.output.state);
+      return is_resting(rig.output.state) && rig.output.state != TrackState::idle;
+    });
   EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
   EXPECT_TRUE(seen.count(TrackState::stopping));
   EXPECT_LT(distance(rig.base.pose(), next.back().pose()), 0.01);

@@ -53,7 +53,9 @@ class Rig
 {
 public:
   explicit Rig(const Pose& start = {}, const TrackOptions& options = ideal_options())
-    : base(robot, start), tracker(robot, options), period(1.0 / options.controller_frequency)
+    : base(robot, start),
+      tracker(robot, options),
+      period(1.0 / options.controller_frequency)
   {
   }
 
@@ -98,7 +100,7 @@ public:
   IdealBase base;
   Tracker tracker;
   const double period;
-  double clock = 0.0;                        ///< what the clock is wrong by [s]
+  double clock = 0.0;                       ///< what the clock is wrong by [s]
   std::function<void(TrackInput&)> tamper;  ///< changes what the tracker is told
   TrackOutput output;
   std::string message;  ///< the last step's
