@@ -69,7 +69,8 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
                                                  const fourwis_navigation::WheelStates& wheels)
 {
   const ros::Time now = odometry.header.stamp;
-  if (first_.isZero() || now < newest_) restart(now);
+  if (now < newest_) restart();
+  if (first_.isZero()) first_ = due_ = now;
   newest_ = now;
   if (now + kJitter < due_ || now <= stepped_) return std::nullopt;
   const ros::Duration period(1.0 / parameters_.track.controller_frequency);
@@ -88,13 +89,11 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
   return step(now);
 }
 
-void ControlLoop::restart(const ros::Time& now)
+void ControlLoop::restart()
 {
   tracker_.emplace(parameters_.robot, parameters_.track);
   waiting_.reset();
-  trajectory_ = ros::Time();
-  first_ = due_ = now;
-  stepped_ = ros::Time();
+  trajectory_ = first_ = stepped_ = ros::Time();
 }
 
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)

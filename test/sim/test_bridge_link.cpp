@@ -65,6 +65,8 @@ TEST_F(BridgeLink, AQueueThatDoesNotMoveIsAFaultAndNothingOldIsSentWhenItMovesAg
   end->set_full(false);
   pass(1.0);
   EXPECT_LE(last_motion(), begin);
+  EXPECT_LT(wait_for([this] { return bridge.clear_faults(now()) == nullptr; }), 4.0) << cause();
+  drive();
 }
 
 TEST_F(BridgeLink, NotesOfTheControllerStopNothing)
@@ -107,6 +109,24 @@ TEST_F(BridgeLink, WhenTheBridgeIsKilledTheDrivesStopWithin100Ms)
     EXPECT_EQ(fastest_wheel(), 0.0);
     ASSERT_LT(wait_for([&] { return bridge.clear_faults(now()) == nullptr; }), options.stop_timeout);
   }
+}
+
+TEST_F(BridgeLink, ABridgeThatTakesTheKilledOnesPlaceMovesNothingBeforeItIsEnabled)
+{
+  drive();
+  bridge_alive = false;
+  pass(0.03);
+  can::Bridge second(robot, options);
+  can::BridgeConnection second_connection(second, spy);
+  const double begin = now();
+  const auto ready = [&]
+  {
+    if (std::lround(now() * 1e3) % 10 == 0) second_connection.cycle(now());
+    return second.report().stage == BridgeStage::ready;
+  };
+  EXPECT_LT(wait_for(ready), 1.0) << text_of(second.report().cause);
+  EXPECT_LE(last_motion(), begin);
+  EXPECT_EQ(fastest_wheel(), 0.0);
 }
 
 /// On a bus of 500 kbit/s with a queue of twelve frames.
