@@ -1,4 +1,4 @@
-#include "benchmark_arguments.h"
+#include "frontend_arguments.h"
 
 #include <stdexcept>
 
