@@ -41,7 +41,8 @@ void add_rows(const Polytope& region, double offset, int knot, double weight, Se
   }
 }
 
-/// The wheels' rows and the way's of each interval, and those of the inner knots: each is bound by the regions of both its intervals.
+/// The wheels' rows and the way's of each interval, and those of the inner knots: each is bound by the regions of both
+/// its intervals.
 void set_rows(const Segment& segment, const Corridor& corridor, double weight, SegmentModel& model, Problem& problem)
 {
   const std::size_t n = segment.intervals();
@@ -121,8 +122,8 @@ void SegmentModel::differentiate(int, const State& x, const Control& u, const St
   add_symmetric(d, OMEGA, H, 2.0 * alpha * v * v * omega);
 }
 
-/// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2: where the robot has time to steer, it is not to use it for going
-/// far between two knots, out of what regions and chords know of.
+/// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2: where the robot has time to steer, it is not to use it for
+/// going far between two knots, out of what regions and chords know of.
 void SegmentModel::differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const
 {
   const double v = q[3], a = q[5], h = q[7], scale = 2.0 / (reach * reach);
