@@ -111,8 +111,6 @@ protected:
 
   Inbox<Tracking> tracking_{"mpc_controller/tracking"};
   Inbox<geometry_msgs::PoseStamped> truth_{"base_simulator/pose"};
-
-private:
   ros::Publisher place_ = ros::NodeHandle().advertise<geometry_msgs::PoseWithCovarianceStamped>("initialpose", 10);
 };
 
