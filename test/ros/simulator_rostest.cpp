@@ -71,8 +71,9 @@ TEST_F(Simulator, drives_as_it_is_told_and_says_so_in_odometry_joints_and_truth)
   Inbox<nav_msgs::Odometry> odometry("odom");
   Inbox<sensor_msgs::JointState> joints("joint_states");
   drive_ahead(0.5);
-  EXPECT_TRUE(odometry.wait_for([](const nav_msgs::Odometry& o)
-                                { return std::abs(o.twist.twist.linear.x - 0.5) < 0.02 && o.twist.covariance[0] > 0.0; }));
+  const auto drives = [](const nav_msgs::Odometry& o)
+  { return std::abs(o.twist.twist.linear.x - 0.5) < 0.02 && o.twist.covariance[0] > 0.0; };
+  EXPECT_TRUE(odometry.wait_for(drives));
   EXPECT_TRUE(wait_until([this] { return truth().x > kMiddle.x + 0.05; }));
   const auto turned = joints.wait_for([](const sensor_msgs::JointState& j) { return j.position.at(4) > 0.1; });
   ASSERT_TRUE(turned);
@@ -84,7 +85,8 @@ TEST_F(Simulator, stops_when_commands_cease)
 {
   drive_ahead(0.5);
   wait_for_rest();
-  ASSERT_TRUE(wheel_states_.wait_for([](const WheelStates& w) { return w.state == WheelStates::STOPPING && !w.message.empty(); }));
+  const auto says_so = [](const WheelStates& w) { return w.state == WheelStates::STOPPING && !w.message.empty(); };
+  EXPECT_TRUE(wheel_states_.wait_for(says_so));
 }
 
 TEST_F(Simulator, takes_a_command_that_makes_no_sense_for_a_stop)

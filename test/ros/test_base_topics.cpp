@@ -40,15 +40,16 @@ TEST(BaseTopics, odometry_is_of_the_base_in_the_odom_frame)
 
 TEST(BaseTopics, covariances_are_those_of_x_y_and_yaw)
 {
-  const nav_msgs::Odometry message = to_message(some_odometry(), {}, {});
+  const Odometry odometry = some_odometry();
+  const nav_msgs::Odometry message = to_message(odometry, {}, {});
   const auto at = [](const boost::array<double, 36>& covariance, int row, int column)
   { return covariance[static_cast<std::size_t>(row * 6 + column)]; };
   constexpr int place[3] = {0, 1, 5};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
     {
-      EXPECT_EQ(at(message.pose.covariance, place[row], place[column]), some_odometry().pose_covariance(row, column));
-      EXPECT_EQ(at(message.twist.covariance, place[row], place[column]), some_odometry().motion.covariance(row, column));
+      EXPECT_EQ(at(message.pose.covariance, place[row], place[column]), odometry.pose_covariance(row, column));
+      EXPECT_EQ(at(message.twist.covariance, place[row], place[column]), odometry.motion.covariance(row, column));
     }
   for (const int other : {2, 3, 4})
   {
