@@ -3,22 +3,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
-#include "fourwis_navigation/vehicle/kinematics.h"
+#include "refuse.h"
 
 namespace fourwis
 {
 namespace
 {
-
-template <class... Parts>
-[[noreturn]] void refuse(const Parts&... parts)
-{
-  std::ostringstream text;
-  (text << ... << parts);
-  throw ConversionError(text.str());
-}
 
 void check_quaternion(const geometry_msgs::Quaternion& q, const std::string& name)
 {
@@ -73,6 +64,16 @@ Pose to_pose(const geometry_msgs::Pose& message, const std::string& name, double
     refuse(name, ": orientation is tilted out of the plane by ", tilt(message.orientation), " rad, expected at most ",
            max_tilt, " rad");
   return {p.x, p.y, yaw(message.orientation)};
+}
+
+Pose to_pose(const geometry_msgs::Transform& message, const std::string& name, double max_tilt)
+{
+  geometry_msgs::Pose pose;
+  pose.position.x = message.translation.x;
+  pose.position.y = message.translation.y;
+  pose.position.z = message.translation.z;
+  pose.orientation = message.rotation;
+  return to_pose(pose, name, max_tilt);
 }
 
 void check_map(const nav_msgs::OccupancyGrid& message)
@@ -137,6 +138,27 @@ geometry_msgs::Pose to_message(const Pose& pose)
   message.position.y = pose.y;
   message.orientation.z = std::sin(pose.theta / 2.0);
   message.orientation.w = std::cos(pose.theta / 2.0);
+  return message;
+}
+
+geometry_msgs::TransformStamped to_message(const Pose& pose, const std_msgs::Header& header, const std::string& child)
+{
+  const geometry_msgs::Pose plain = to_message(pose);
+  geometry_msgs::TransformStamped message;
+  message.header = header;
+  message.child_frame_id = child;
+  message.transform.translation.x = plain.position.x;
+  message.transform.translation.y = plain.position.y;
+  message.transform.rotation = plain.orientation;
+  return message;
+}
+
+geometry_msgs::Twist to_message(const Twist& twist)
+{
+  geometry_msgs::Twist message;
+  message.linear.x = twist.vx;
+  message.linear.y = twist.vy;
+  message.angular.z = twist.omega;
   return message;
 }
 

@@ -59,13 +59,6 @@ StartFrom start_from(const std::string& name)
   refuse("start_from", name, "'tf' or 'initialpose'");
 }
 
-std::string frame(KeyReader& reader, const std::string& key)
-{
-  const std::string name = reader.text(key);
-  if (name.empty() || name.front() == '/') refuse(key, name, "the name of a tf frame, without a leading slash");
-  return name;
-}
-
 ModeSet modes(const std::string& list)
 {
   const std::vector<std::string> names = words_of(list);
@@ -82,8 +75,8 @@ ModeSet modes(const std::string& list)
 GlobalPlannerOptions options_from(KeyReader& reader)
 {
   GlobalPlannerOptions options;
-  options.global_frame = frame(reader, "global_frame");
-  options.robot_base_frame = frame(reader, "robot_base_frame");
+  options.global_frame = reader.frame("global_frame");
+  options.robot_base_frame = reader.frame("robot_base_frame");
   options.transform_tolerance = reader.number("transform_tolerance", 0.01, 60.0, "s");
   options.start_from = start_from(reader.text("start_from"));
   options.modes = modes(reader.text("modes"));
@@ -94,20 +87,6 @@ GlobalPlannerOptions options_from(KeyReader& reader)
   options.show_expansions = reader.flag("show_expansions");
   options.show_corridors = reader.flag("show_corridors");
   return options;
-}
-
-/// Names the group in the errors of a reader that knows its keys only.
-template <class Read>
-auto in_group(const std::string& name, Read read, ParameterMap parameters)
-{
-  try
-  {
-    return read(parameters);
-  }
-  catch (const ConfigError& error)
-  {
-    throw ConfigError("in '" + name + "': " + error.what());
-  }
 }
 
 }  // namespace
@@ -172,7 +151,14 @@ bool KeyReader::flag(const std::string& key)
   return std::get<bool>(value);
 }
 
-ParameterMap KeyReader::group(const std::string& name)
+std::string KeyReader::frame(const std::string& key)
+{
+  const std::string name = text(key);
+  if (name.empty() || name.front() == '/') refuse(key, name, "the name of a tf frame, without a leading slash");
+  return name;
+}
+
+ParameterMap KeyReader::take_group(const std::string& name)
 {
   known_.push_back(name + "/...");
   const std::string prefix = name + '/';
@@ -214,8 +200,8 @@ GlobalPlannerParameters global_planner_parameters_from(const ParameterMap& param
   KeyReader reader(parameters);
   GlobalPlannerParameters result;
   result.node = options_from(reader);
-  result.robot = in_group("robot", robot_from, reader.group("robot"));
-  result.planner = in_group("planner", planner_options_from, reader.group("planner"));
+  result.robot = reader.group("robot", robot_from);
+  result.planner = reader.group("planner", planner_options_from);
   // Read by diagnostic_updater and actionlib, which share the namespace of a node that is named after its action.
   reader.ignore({"diagnostic_period", "status_frequency", "status_list_timeout", "actionlib_status_frequency",
                  "actionlib_server_pub_queue_size", "actionlib_server_sub_queue_size"});

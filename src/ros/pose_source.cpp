@@ -12,9 +12,6 @@ namespace fourwis
 namespace
 {
 
-/// A robot on a ramp is tilted, and localisation says so; steeper than this, its transform is wrong [rad].
-constexpr double kMaxRobotTilt = 0.35;
-
 /// tf2 knows frames without the leading slash that older tools still write.
 std::string without_slash(const std::string& frame)
 {
@@ -26,12 +23,7 @@ constexpr const char* kStartPose = "start pose";
 
 Pose robot_pose(const geometry_msgs::TransformStamped& transform)
 {
-  geometry_msgs::Pose pose;
-  pose.position.x = transform.transform.translation.x;
-  pose.position.y = transform.transform.translation.y;
-  pose.position.z = transform.transform.translation.z;
-  pose.orientation = transform.transform.rotation;
-  return to_pose(pose, "start pose (from tf)", kMaxRobotTilt);
+  return to_pose(transform.transform, "start pose (from tf)", kMaxRobotTilt);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "fourwis_navigation/PlannerStatus.h"
 #include "fourwis_navigation/ros/conversions.h"
 #include "inbox.h"
+#include "run_rostest.h"
 
 namespace fourwis
 {
@@ -167,16 +168,5 @@ protected:
   Inbox<ModeTrajectory> trajectories_{"trajectory"};
   MoveBaseClient action_{"move_base", false};
 };
-
-/// For the main of a rostest: callbacks run beside the tests.
-inline int run_rostest(int argc, char** argv, const std::string& name)
-{
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, name);
-  const ros::NodeHandle node;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
 
 }  // namespace fourwis

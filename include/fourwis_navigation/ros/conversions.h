@@ -5,6 +5,9 @@
 #include <vector>
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
@@ -19,6 +22,7 @@
 #include "fourwis_navigation/model/pose.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
 {
@@ -35,9 +39,13 @@ inline constexpr double kQuaternionTolerance = 1e-3;
 /// How far a pose that somebody asked for may be tilted out of the plane [rad].
 inline constexpr double kMaxTilt = 0.05;
 
+/// A robot on a ramp is tilted, and localisation says so; steeper than this, its transform is wrong [rad].
+inline constexpr double kMaxRobotTilt = 0.35;
+
 /// `name` is what the pose is called in errors. Refuses numbers that are not finite, quaternions that are not
 /// normalised and poses tilted by more than `max_tilt` [rad]. The height is not looked at.
 Pose to_pose(const geometry_msgs::Pose& message, const std::string& name, double max_tilt = kMaxTilt);
+Pose to_pose(const geometry_msgs::Transform& message, const std::string& name, double max_tilt = kMaxTilt);
 
 /// Refuses empty grids, data whose size is not width x height, resolutions and origins that make no sense.
 void check_map(const nav_msgs::OccupancyGrid& message);
@@ -53,6 +61,9 @@ void apply_update(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid& gr
 ModeSet to_modes(const std::vector<std::string>& names);
 
 geometry_msgs::Pose to_message(const Pose& pose);
+/// `pose`, of the frame `child`, as it is in the header's frame.
+geometry_msgs::TransformStamped to_message(const Pose& pose, const std_msgs::Header& header, const std::string& child);
+geometry_msgs::Twist to_message(const Twist& twist);
 nav_msgs::OccupancyGrid to_message(const OccupancyGrid& grid, const std_msgs::Header& header);
 fourwis_navigation::ModeTrajectory to_message(const Trajectory& trajectory, const std_msgs::Header& header);
 fourwis_navigation::PlanMetrics to_message(const PlanMetrics& metrics);

@@ -63,9 +63,23 @@ public:
   double number(const std::string& key, double min, double max, const std::string& unit, double fallback);
   int count(const std::string& key, int min, int max, const std::string& unit);
   bool flag(const std::string& key);
+  /// The name of a tf frame.
+  std::string frame(const std::string& key);
 
-  /// All keys below `name/`, without that prefix.
-  ParameterMap group(const std::string& name);
+  /// What `read` makes of all keys below `name/`, without that prefix; its ConfigErrors name the group, too.
+  template <class Read>
+  auto group(const std::string& name, Read read)
+  {
+    const ParameterMap members = take_group(name);
+    try
+    {
+      return read(members);
+    }
+    catch (const ConfigError& error)
+    {
+      throw ConfigError("in '" + name + "': " + error.what());
+    }
+  }
   /// Keys that may be there and are for somebody else.
   void ignore(const std::vector<std::string>& keys);
   /// Throws ConfigError naming the first key that nobody took.
@@ -74,6 +88,7 @@ public:
 private:
   bool has(const std::string& key) const { return parameters_.count(key) != 0; }
   ParameterValue take(const std::string& key);
+  ParameterMap take_group(const std::string& name);
 
   ParameterMap parameters_;
   std::vector<std::string> known_;

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+#include <tf2/buffer_core.h>
+
+#include "fourwis_navigation/ModeTrajectory.h"
+#include "fourwis_navigation/WheelStates.h"
+#include "fourwis_navigation/ros/drive_parameters.h"
+#include "fourwis_navigation/ros/odometry_pose.h"
+#include "fourwis_navigation/track/tracker.h"
+
+namespace fourwis
+{
+
+/// What came of one control step.
+struct ControlStep
+{
+  ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
+  ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
+  TrackOutput output;    ///< its message is valid until the next step
+  std::string problem;    ///< why the pose is not known; empty where it is
+  double speed = 0.0;     ///< of the robot's centre, as odometry has it [m/s]
+  double solve_ms = 0.0;  ///< time of the whole step
+};
+
+/// The controller's node without its topics: judges trajectories, and steps the tracker whenever odometry and wheel states of
+/// one stamp say that it is time. Its clock is their stamps, so that recorded messages give the recorded commands. To be
+/// called from one thread.
+class ControlLoop
+{
+public:
+  /// Called with the header.stamp of a trajectory that is not driven, and why not in a sentence.
+  using Refused = std::function<void(const ros::Time&, const std::string&)>;
+
+  /// `tf` must outlive this.
+  ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
+
+  /// An empty trajectory stops at once. Any other begins with the first step that is not before its stamp. Refused: one in
+  /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over from
+  /// somebody else's drive) or far ahead of the newest.
+  void take(const fourwis_navigation::ModeTrajectory& trajectory);
+
+  /// Two messages of one stamp. Empty when it is not time for a step yet.
+  std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
+                                      const fourwis_navigation::WheelStates& wheels);
+
+  // Stamps of what arrives, paired or not: only to say what is missing.
+  void heard_odometry(const ros::Time& stamp) { newest_odometry_ = stamp; }
+  void heard_wheel_states(const ros::Time& stamp) { newest_wheel_states_ = stamp; }
+
+  /// Steps on what was measured last once that is older than the tracker accepts, so that it stops. Empty otherwise, and
+  /// before the first measurement.
+  std::optional<ControlStep> watch(const ros::Time& now);
+
+  const std::vector<Pose>& prediction() const { return tracker_->prediction(); }
+
+private:
+  struct Waiting
+  {
+    ros::Time stamp;
+    Trajectory trajectory;
+  };
+
+  void restart(const ros::Time& now);
+  void check(const std_msgs::Header& header) const;
+  void start_waiting(const ros::Time& now);
+  void locate(const nav_msgs::Odometry& odometry);
+  ControlStep step(const ros::Time& now);
+
+  const MpcControllerParameters parameters_;
+  const OdometryPose odometry_pose_;
+  const Refused refused_;
+  std::optional<Tracker> tracker_;  ///< replaced when time goes back
+  std::optional<Waiting> waiting_;
+  ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
+  ros::Time first_, newest_;  ///< pair
+  ros::Time newest_odometry_, newest_wheel_states_;
+  ros::Time due_, stepped_;   ///< the next step, and the last one
+  TrackInput input_;
+  double speed_ = 0.0;
+  std::string problem_;
+};
+
+}  // namespace fourwis

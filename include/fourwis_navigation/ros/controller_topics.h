@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include "fourwis_navigation/Tracking.h"
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/ros/control_loop.h"
+
+namespace fourwis
+{
+
+/// Everything that the controller's node publishes of its steps.
+class ControllerTopics
+{
+public:
+  ControllerTopics(const Robot& robot, const MpcControllerOptions& options);
+
+  /// Command first: nothing else is urgent. `tracking`: the step as `~tracking` has it.
+  void publish(const ControlStep& step, const fourwis_navigation::Tracking& tracking,
+               const std::vector<Pose>& prediction);
+
+  /// On `~tracking`: the trajectory of this stamp is not driven.
+  void publish_refusal(const ros::Time& trajectory, const std::string& message);
+
+private:
+  void publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction);
+
+  const Robot robot_;
+  const std::string global_frame_;
+  ros::Time predicted_;  ///< when the prediction was published last
+  ros::Publisher wheel_commands_, cmd_vel_, tracking_, predicted_path_;
+};
+
+/// What `~tracking` says of a step.
+fourwis_navigation::Tracking to_message(const ControlStep& step, const std::string& frame);
+
+}  // namespace fourwis

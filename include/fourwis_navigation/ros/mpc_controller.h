@@ -1,0 +1,45 @@
+#pragma once
+
+#include <message_filters/subscriber.h>
+#include <message_filters/time_synchronizer.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <ros/timer.h>
+#include <tf2/buffer_core.h>
+#include <tf2_ros/transform_listener.h>
+
+#include "fourwis_navigation/ros/control_loop.h"
+#include "fourwis_navigation/ros/controller_diagnostics.h"
+#include "fourwis_navigation/ros/controller_topics.h"
+
+namespace fourwis
+{
+
+/// The controller's node: drives the robot along what comes on `trajectory`. DESIGN.md section 4 lists its topics. All
+/// callbacks, tf's too, are on the global queue: spin it with one thread.
+class MpcController
+{
+public:
+  explicit MpcController(const MpcControllerParameters& parameters);
+
+private:
+  void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
+  void on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels);
+  void on_pair(const nav_msgs::OdometryConstPtr& odometry, const fourwis_navigation::WheelStatesConstPtr& wheels);
+  void publish(const std::optional<ControlStep>& step);
+
+  const std::string global_frame_;
+  ros::NodeHandle node_;
+  tf2::BufferCore tf_;
+  tf2_ros::TransformListener tf_listener_;
+  ControllerTopics topics_;
+  ControllerDiagnostics diagnostics_;
+  ControlLoop loop_;
+  ros::Subscriber trajectory_;
+  message_filters::Subscriber<nav_msgs::Odometry> odom_;
+  message_filters::Subscriber<fourwis_navigation::WheelStates> wheel_states_;
+  message_filters::TimeSynchronizer<nav_msgs::Odometry, fourwis_navigation::WheelStates> pairs_;
+  ros::Timer watchdog_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "fourwis_navigation/ros/direct_base.h"
+#include "fourwis_navigation/ros/fault_services.h"
+#include "fourwis_navigation/ros/ideal_localization.h"
+#include "fourwis_navigation/ros/simulation_clock.h"
+#include "fourwis_navigation/sim/base_simulator.h"
+
+namespace fourwis
+{
+
+/// The simulator's node: a base, somebody who knows where it really is, and the time in which this happens. Spin it with one
+/// thread.
+class SimulatedRobot
+{
+public:
+  explicit SimulatedRobot(const BaseSimulatorParameters& parameters);
+
+private:
+  void cycle(const ros::Time& end);
+
+  const double period_;  ///< of a cycle [s]
+  BaseSimulator simulator_;
+  DirectBase base_;
+  IdealLocalization localization_;
+  FaultServices faults_;
+  SimulationClock clock_;  ///< last: calls for the first cycle when all else is there
+};
+
+}  // namespace fourwis

@@ -1,0 +1,143 @@
+#include "fourwis_navigation/ros/control_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "fourwis_navigation/ros/drive_conversions.h"
+#include "refuse.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The base's stamps need not be multiples of the control period to the nanosecond.
+const ros::Duration kJitter(1e-3);
+
+/// A trajectory that is to begin later than this comes from somebody with another clock.
+const ros::Duration kLongestWait(10.0);
+
+}  // namespace
+
+ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused)
+  : parameters_(parameters),
+    odometry_pose_(parameters.node.global_frame, parameters.node.robot_base_frame, parameters.node.transform_tolerance,
+                   tf),
+    refused_(std::move(refused))
+{
+  tracker_.emplace(parameters.robot, parameters.track);
+}
+
+void ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
+{
+  if (trajectory.points.empty())
+  {
+    waiting_.reset();
+    trajectory_ = trajectory.header.stamp;
+    tracker_->stop();
+    return;
+  }
+  try
+  {
+    check(trajectory.header);
+    waiting_ = Waiting{trajectory.header.stamp, to_trajectory(trajectory)};
+  }
+  catch (const ConversionError& error)
+  {
+    refused_(trajectory.header.stamp, error.what());
+  }
+}
+
+void ControlLoop::check(const std_msgs::Header& header) const
+{
+  if (header.frame_id != parameters_.node.global_frame)
+    refuse("trajectory: header.frame_id is '", header.frame_id, "', expected global_frame = '",
+           parameters_.node.global_frame, "'");
+  if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
+  if (header.stamp < first_)
+    refuse("trajectory: was planned ", (first_ - header.stamp).toSec(), " s before the controller started");
+  if (header.stamp - newest_ > kLongestWait)
+    refuse("trajectory: is to begin ", (header.stamp - newest_).toSec(), " s after the newest odometry, expected at most ",
+           kLongestWait.toSec(), " s");
+}
+
+std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,
+                                                 const fourwis_navigation::WheelStates& wheels)
+{
+  const ros::Time now = odometry.header.stamp;
+  if (first_.isZero() || now < newest_) restart(now);
+  newest_ = now;
+  if (now + kJitter < due_ || now <= stepped_) return std::nullopt;
+  const ros::Duration period(1.0 / parameters_.track.controller_frequency);
+  due_ = std::max(due_ + period, now + kJitter);
+  locate(odometry);
+  input_.wheels = to_wheel_state(wheels);
+  return step(now);
+}
+
+std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
+{
+  const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
+  if (first_.isZero() || (now - newest_).toSec() <= patience) return std::nullopt;
+  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string((now - newest_odometry_).toSec()) +
+             " s and " + std::to_string((now - newest_wheel_states_).toSec()) + " s old";
+  return step(now);
+}
+
+void ControlLoop::restart(const ros::Time& now)
+{
+  tracker_.emplace(parameters_.robot, parameters_.track);
+  waiting_.reset();
+  trajectory_ = ros::Time();
+  first_ = due_ = now;
+  stepped_ = ros::Time();
+}
+
+void ControlLoop::locate(const nav_msgs::Odometry& odometry)
+{
+  problem_.clear();
+  speed_ = std::hypot(odometry.twist.twist.linear.x, odometry.twist.twist.linear.y);
+  input_.pose_stamp = odometry.header.stamp.toSec();
+  try
+  {
+    input_.pose = odometry_pose_.at(odometry);
+  }
+  catch (const ConversionError& error)
+  {
+    input_.pose = {kUnknown, kUnknown, kUnknown};
+    problem_ = error.what();
+  }
+}
+
+void ControlLoop::start_waiting(const ros::Time& now)
+{
+  if (!waiting_ || waiting_->stamp > now) return;
+  if (const std::string refusal = tracker_->accept(waiting_->trajectory); !refusal.empty())
+    refused_(waiting_->stamp, refusal);
+  else
+    trajectory_ = waiting_->stamp;
+  waiting_.reset();
+}
+
+ControlStep ControlLoop::step(const ros::Time& now)
+{
+  using Clock = std::chrono::steady_clock;
+  start_waiting(now);
+  stepped_ = now;
+  ControlStep result;
+  result.stamp = now;
+  result.trajectory = trajectory_;
+  result.problem = problem_;
+  result.speed = speed_;
+  input_.now = now.toSec();
+  const Clock::time_point start = Clock::now();
+  result.output = tracker_->step(input_);
+  result.solve_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,62 @@
+#include "fourwis_navigation/ros/controller_diagnostics.h"
+
+#include <algorithm>
+
+namespace fourwis
+{
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+using fourwis_navigation::Tracking;
+
+namespace
+{
+
+const char* name_of(std::uint8_t state)
+{
+  switch (state)
+  {
+    case Tracking::IDLE: return "no trajectory";
+    case Tracking::ALIGNING: return "turning the wheels";
+    case Tracking::DRIVING: return "driving";
+    case Tracking::STOPPING: return "stopping";
+    case Tracking::ARRIVED: return "arrived";
+    default: return "gave up";
+  }
+}
+
+}  // namespace
+
+ControllerDiagnostics::ControllerDiagnostics()
+{
+  updater_.setHardwareID("none");
+  updater_.add("tracking", [this](DiagnosticStatusWrapper& status) { report(status); });
+  timer_ = ros::NodeHandle().createWallTimer(ros::WallDuration(0.1),
+                                             [this](const ros::WallTimerEvent&) { updater_.update(); });
+}
+
+void ControllerDiagnostics::stepped(const Tracking& tracking)
+{
+  if (last_ && last_->trajectory != tracking.trajectory) refusal_.clear();
+  slowest_ms_ = std::max(slowest_ms_, last_->solve_ms);
+  last_ = tracking;
+}
+
+void ControllerDiagnostics::report(DiagnosticStatusWrapper& status)
+{
+  if (!last_)
+  {
+    status.summary(DiagnosticStatus::WARN, "no odometry and wheel states of one stamp received yet");
+    return;
+  }
+  const std::string complaint = last_->message.empty() ? refusal_ : last_->message;
+  status.summary(complaint.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+                 std::string(name_of(last_->state)) + (complaint.empty() ? "" : ": " + complaint));
+  status.add("lateral error [m]", last_->lateral_error);
+  status.add("longitudinal error [m]", last_->longitudinal_error);
+  status.add("heading error [rad]", last_->heading_error);
+  status.add("slowest step [ms]", slowest_ms_);
+  slowest_ms_ = 0.0;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,87 @@
+#include "fourwis_navigation/ros/controller_topics.h"
+
+#include <geometry_msgs/Twist.h>
+#include <nav_msgs/Path.h>
+#include <ros/console.h>
+
+#include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
+
+namespace fourwis
+{
+namespace
+{
+
+using fourwis_navigation::Tracking;
+
+/// The eye wants no more of the prediction.
+const ros::Duration kPredictionPeriod(0.1);
+
+}  // namespace
+
+Tracking to_message(const ControlStep& step, const std::string& frame)
+{
+  const TrackOutput& output = step.output;
+  Tracking message;
+  message.header.stamp = step.stamp;
+  message.header.frame_id = frame;
+  message.state = static_cast<std::uint8_t>(output.state);
+  message.message = std::string(output.message);
+  if (!message.message.empty() && !step.problem.empty()) message.message += ": " + step.problem;
+  message.trajectory = step.trajectory;
+  message.t = output.t;
+  message.lateral_error = output.lateral_error;
+  message.longitudinal_error = output.longitudinal_error;
+  message.heading_error = output.heading_error;
+  message.speed = step.speed;
+  message.solve_ms = step.solve_ms;
+  return message;
+}
+
+ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options)
+  : robot_(robot), global_frame_(options.global_frame)
+{
+  ros::NodeHandle node, private_node("~");
+  wheel_commands_ = node.advertise<fourwis_navigation::WheelCommands>("wheel_commands", 1);
+  cmd_vel_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+  tracking_ = private_node.advertise<Tracking>("tracking", 100);
+  predicted_path_ = private_node.advertise<nav_msgs::Path>("predicted_path", 1);
+}
+
+void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking, const std::vector<Pose>& prediction)
+{
+  const TrackOutput& output = step.output;
+  wheel_commands_.publish(to_message(output.command, step.stamp));
+  cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
+  tracking_.publish(tracking);
+  if (step.stamp < predicted_ || step.stamp - predicted_ >= kPredictionPeriod) publish_prediction(step.stamp, prediction);
+}
+
+void ControllerTopics::publish_refusal(const ros::Time& trajectory, const std::string& message)
+{
+  ROS_WARN("%s", message.c_str());
+  Tracking refused;
+  refused.header.stamp = ros::Time::now();
+  refused.header.frame_id = global_frame_;
+  refused.state = Tracking::FAILED;
+  refused.message = message;
+  refused.trajectory = trajectory;
+  tracking_.publish(refused);
+}
+
+void ControllerTopics::publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction)
+{
+  predicted_ = stamp;
+  nav_msgs::Path path;
+  path.header.stamp = stamp;
+  path.header.frame_id = global_frame_;
+  for (const Pose& pose : prediction)
+  {
+    geometry_msgs::PoseStamped& place = path.poses.emplace_back();
+    place.header = path.header;
+    place.pose = to_message(pose);
+  }
+  predicted_path_.publish(path);
+}
+
+}  // namespace fourwis

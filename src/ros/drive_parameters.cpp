@@ -1,0 +1,71 @@
+#include "fourwis_navigation/ros/drive_parameters.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr double kFarthest = 1e6;
+
+MpcControllerOptions controller_options(KeyReader& reader)
+{
+  MpcControllerOptions options;
+  options.global_frame = reader.frame("global_frame");
+  options.robot_base_frame = reader.frame("robot_base_frame");
+  options.transform_tolerance = reader.number("transform_tolerance", 0.01, 60.0, "s");
+  return options;
+}
+
+std::string bus(KeyReader& reader)
+{
+  const std::string bus = reader.text("bus");
+  if (bus != "direct") throw ConfigError("parameter 'bus' is '" + bus + "', expected 'direct'");
+  return bus;
+}
+
+BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
+{
+  BaseSimulatorNodeOptions options;
+  options.bus = bus(reader);
+  options.global_frame = reader.frame("global_frame");
+  options.frames.odom_frame = reader.frame("odom_frame");
+  options.frames.robot_base_frame = reader.frame("robot_base_frame");
+  options.frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  options.frames.wheel_radius = reader.number("wheel_radius", 0.01, 10.0, "m");
+  options.publish_frequency = reader.number("publish_frequency", 1.0, 1000.0, "Hz");
+  options.transform_tolerance = reader.number("transform_tolerance", 0.0, 10.0, "s");
+  options.publish_clock = reader.flag("publish_clock");
+  options.real_time_factor = reader.number("real_time_factor", 0.01, 1000.0, "");
+  options.lockstep_period = reader.number("lockstep_period", 0.0, 1.0, "s");
+  options.initial.x = reader.number("initial_x", -kFarthest, kFarthest, "m");
+  options.initial.y = reader.number("initial_y", -kFarthest, kFarthest, "m");
+  options.initial.theta = reader.number("initial_yaw", -2.0 * M_PI, 2.0 * M_PI, "rad");
+  return options;
+}
+
+}  // namespace
+
+MpcControllerParameters mpc_controller_parameters_from(const ParameterMap& parameters)
+{
+  KeyReader reader(parameters);
+  MpcControllerParameters result;
+  result.node = controller_options(reader);
+  result.robot = reader.group("robot", robot_from);
+  result.track = reader.group("mpc", track_options_from);
+  reader.ignore({"diagnostic_period"});
+  reader.finish();
+  return result;
+}
+
+BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& parameters)
+{
+  KeyReader reader(parameters);
+  BaseSimulatorParameters result;
+  result.node = simulator_options(reader);
+  result.robot = reader.group("robot", robot_from);
+  result.simulator = reader.group("simulator", simulator_options_from);
+  reader.finish();
+  return result;
+}
+
+}  // namespace fourwis

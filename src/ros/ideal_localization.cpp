@@ -1,0 +1,52 @@
+#include "fourwis_navigation/ros/ideal_localization.h"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/console.h>
+
+#include "refuse.h"
+
+namespace fourwis
+{
+
+IdealLocalization::IdealLocalization(const BaseSimulatorNodeOptions& options, BaseSimulator& simulator)
+  : global_frame_(options.global_frame),
+    odom_frame_(options.frames.odom_frame),
+    ahead_(options.transform_tolerance),
+    simulator_(simulator)
+{
+  pose_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("pose", 10);
+  initial_pose_ = node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
+    "initialpose", 10,
+    [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) { on_initial_pose(*message); });
+}
+
+void IdealLocalization::publish(const ros::Time& stamp, const Pose& odometry)
+{
+  geometry_msgs::PoseStamped truth;
+  truth.header.stamp = stamp;
+  truth.header.frame_id = global_frame_;
+  truth.pose = to_message(simulator_.pose());
+  pose_.publish(truth);
+  if (lost_) return;
+  std_msgs::Header dated_ahead = truth.header;
+  dated_ahead.stamp += ahead_;
+  const Pose map_to_odom = compose(simulator_.pose(), relative_to(odometry, {}));
+  tf_.sendTransform(to_message(map_to_odom, dated_ahead, odom_frame_));
+}
+
+void IdealLocalization::on_initial_pose(const geometry_msgs::PoseWithCovarianceStamped& message)
+{
+  try
+  {
+    if (message.header.frame_id != global_frame_)
+      refuse("initialpose: header.frame_id is '", message.header.frame_id, "', expected global_frame = '", global_frame_,
+             "'");
+    simulator_.place(to_pose(message.pose.pose, "initialpose"));
+  }
+  catch (const ConversionError& error)
+  {
+    ROS_WARN("%s", error.what());
+  }
+}
+
+}  // namespace fourwis

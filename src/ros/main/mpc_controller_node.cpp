@@ -1,0 +1,14 @@
+#include "fourwis_navigation/ros/mpc_controller.h"
+#include "fourwis_navigation/ros/node_main.h"
+
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "mpc_controller");
+  return fourwis::node_main(
+    []
+    {
+      const fourwis::MpcController controller(
+        fourwis::mpc_controller_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
+      ros::spin();
+    });
+}

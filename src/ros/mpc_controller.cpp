@@ -1,0 +1,61 @@
+#include "fourwis_navigation/ros/mpc_controller.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// How many odometry messages may wait for their wheel states, and the other way round.
+constexpr std::uint32_t kPairQueue = 20;
+
+}  // namespace
+
+MpcController::MpcController(const MpcControllerParameters& parameters)
+  : global_frame_(parameters.node.global_frame),
+    tf_listener_(tf_, node_, false),
+    topics_(parameters.robot, parameters.node),
+    loop_(parameters, tf_,
+          [this](const ros::Time& trajectory, const std::string& message)
+          {
+            topics_.publish_refusal(trajectory, message);
+            diagnostics_.refused(message);
+          }),
+    odom_(node_, "odom", kPairQueue, ros::TransportHints().tcpNoDelay()),
+    wheel_states_(node_, "wheel_states", kPairQueue, ros::TransportHints().tcpNoDelay()),
+    pairs_(odom_, wheel_states_, kPairQueue)
+{
+  trajectory_ = node_.subscribe<fourwis_navigation::ModeTrajectory>(
+    "trajectory", 10,
+    [this](const fourwis_navigation::ModeTrajectoryConstPtr& trajectory) { loop_.take(*trajectory); });
+  odom_.registerCallback(&MpcController::on_odometry, this);
+  wheel_states_.registerCallback(&MpcController::on_wheel_states, this);
+  pairs_.registerCallback(&MpcController::on_pair, this);
+  watchdog_ = node_.createTimer(ros::Duration(1.0 / parameters.track.controller_frequency),
+                                [this](const ros::TimerEvent& event) { publish(loop_.watch(event.current_real)); });
+}
+
+void MpcController::on_odometry(const nav_msgs::OdometryConstPtr& odometry)
+{
+  loop_.heard_odometry(odometry->header.stamp);
+}
+
+void MpcController::on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels)
+{
+  loop_.heard_wheel_states(wheels->header.stamp);
+}
+
+void MpcController::on_pair(const nav_msgs::OdometryConstPtr& odometry,
+                            const fourwis_navigation::WheelStatesConstPtr& wheels)
+{
+  publish(loop_.measured(*odometry, *wheels));
+}
+
+void MpcController::publish(const std::optional<ControlStep>& step)
+{
+  if (!step) return;
+  const fourwis_navigation::Tracking tracking = to_message(*step, global_frame_);
+  topics_.publish(*step, tracking, loop_.prediction());
+  diagnostics_.stepped(tracking);
+}
+
+}  // namespace fourwis

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <sstream>
+
+#include "fourwis_navigation/ros/conversions.h"
+
+namespace fourwis
+{
+
+/// Throws a ConversionError that says the parts one after the other.
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts)
+{
+  std::ostringstream text;
+  (text << ... << parts);
+  throw ConversionError(text.str());
+}
+
+}  // namespace fourwis

@@ -1,0 +1,26 @@
+#include "fourwis_navigation/ros/simulated_robot.h"
+
+namespace fourwis
+{
+
+SimulatedRobot::SimulatedRobot(const BaseSimulatorParameters& parameters)
+  : period_(1.0 / parameters.node.publish_frequency),
+    simulator_(parameters.robot, parameters.simulator),
+    base_(parameters, simulator_),
+    localization_(parameters.node, simulator_),
+    faults_(simulator_, base_.topics(), localization_),
+    clock_(
+      parameters.node, [this](const ros::Time& end) { cycle(end); },
+      [this](const ros::Time& now) { return base_.answered(now); })
+{
+  simulator_.place(parameters.node.initial);
+}
+
+void SimulatedRobot::cycle(const ros::Time& end)
+{
+  simulator_.step(period_);
+  base_.publish(end);
+  localization_.publish(end, base_.topics().odometry());
+}
+
+}  // namespace fourwis
