@@ -61,6 +61,7 @@ bool BaseSimulator::command(const WheelCommand& command)
 
 void BaseSimulator::step(double duration)
 {
+  require_between("duration", duration, 0.0, 1e6);
   remainder_ += duration;
   const auto steps = static_cast<std::int64_t>(std::floor(remainder_ / options_.time_step + 1e-6));
   remainder_ -= static_cast<double>(steps) * options_.time_step;

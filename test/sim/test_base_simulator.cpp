@@ -272,9 +272,11 @@ TEST(BaseSimulator, IsFollowedByTheOdometryOfItsWheels)
   EXPECT_NEAR(odometry.state().pose.theta, robot.base.pose().theta, 0.002 * length);
 }
 
-TEST(BaseSimulator, RefusesOptionsThatMakeNoSense)
+TEST(BaseSimulator, RefusesOptionsAndTimesThatMakeNoSense)
 {
   const Robot robot;
+  EXPECT_THROW(BaseSimulator(robot, {}).step(-0.01), std::invalid_argument);
+  EXPECT_THROW(BaseSimulator(robot, {}).step(NAN), std::invalid_argument);
   SimulatorOptions options;
   options.time_step = 0.0;
   EXPECT_THROW(BaseSimulator(robot, options), std::invalid_argument);

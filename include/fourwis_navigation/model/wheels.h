@@ -32,7 +32,7 @@ struct WheelMotion
 /// What a base is told to do with its wheels.
 struct WheelCommand
 {
-  Mode mode = Mode::none;      ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it says
+  Mode mode = Mode::none;      ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it has
   std::uint32_t sequence = 0;  ///< counts the commands; wraps around
   WheelMotion motion;
 };
@@ -52,7 +52,7 @@ struct WheelState
 {
   double stamp = 0.0;  ///< when it was measured [s]
   BaseState state = BaseState::not_ready;
-  Mode mode = Mode::none;      ///< of the last command that was taken
+  Mode mode = Mode::none;      ///< of the last command that was taken; `none` once the base has stopped by itself
   std::uint32_t sequence = 0;  ///< likewise
   WheelMotion motion;          ///< as measured
   bool aligned = false;        ///< every wheel has stayed near the last command's angle long enough to drive

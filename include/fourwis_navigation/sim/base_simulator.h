@@ -31,7 +31,8 @@ public:
   /// it, when something in it is no number or its mode none of ours.
   bool command(const WheelCommand& command);
 
-  /// Lets time pass [s], in whole time steps; what remains is kept for the next call.
+  /// Lets time pass [s], in whole time steps; what remains is kept for the next call. Throws std::invalid_argument for
+  /// time that goes backward.
   void step(double duration);
 
   double time() const { return static_cast<double>(steps_) * options_.time_step; }  ///< since the beginning [s]
