@@ -27,6 +27,7 @@ void AxisWatch::begin(double now)
 {
   heard_ = now;
   unanswered_status_ = unanswered_motion_ = unasked_ = 0;
+  rebooted_ = false;
   position_.reset();
   off_.reset();
 }
@@ -34,8 +35,12 @@ void AxisWatch::begin(double now)
 void AxisWatch::receive_heartbeat(NmtState state, double now)
 {
   heard_ = now;
-  if (state == NmtState::boot_up) return report_(Fault::node_rebooted, 0, now);
-  if (state != NmtState::operational)
+  if (state == NmtState::boot_up)
+  {
+    rebooted_ = true;
+    report_(Fault::node_rebooted, 0, now);
+  }
+  else if (state != NmtState::operational)
     report_(Fault::node_not_operational, static_cast<std::uint32_t>(state), now);
 }
 
@@ -74,7 +79,8 @@ void AxisWatch::supervise_following(double difference, double now)
 void AxisWatch::count_answer(int& unanswered, double now)
 {
   unanswered = 0;
-  if (++unasked_ > kMostUnasked) report_(Fault::duplicate_node, 0, now);
+  // A node that has rebooted does not answer before it is started: there are two.
+  if (++unasked_ > kMostUnasked || rebooted_) report_(Fault::duplicate_node, 0, now);
 }
 
 }  // namespace fourwis::can

@@ -47,6 +47,7 @@ private:
   double heard_ = 0.0;  ///< its last heartbeat
   int unanswered_status_ = 0, unanswered_motion_ = 0;
   int unasked_ = 0;  ///< answers in excess of SYNCs
+  bool rebooted_ = false;
   std::optional<double> position_;
   double moved_ = 0.0;  ///< when `position_` was received
 };

@@ -1,5 +1,6 @@
 #include "fourwis_navigation/can/bridge.h"
 
+#include "bridge_state.h"
 #include "fourwis_navigation/can/frame_bits.h"
 #include "link_watch.h"
 #include "load_meter.h"
@@ -10,66 +11,6 @@
 
 namespace fourwis::can
 {
-namespace
-{
-
-enum class State
-{
-  waiting,   ///< for the bus
-  starting,  ///< the drives
-  ready,
-  enabling,
-  enabled,
-  stopping,
-  fault
-};
-
-BaseState base_state(State state)
-{
-  switch (state)
-  {
-    case State::waiting:
-    case State::starting: return BaseState::not_ready;
-    case State::ready:
-    case State::enabling: return BaseState::ready;
-    case State::enabled: return BaseState::enabled;
-    case State::stopping: return BaseState::stopping;
-    case State::fault: return BaseState::fault;
-  }
-  return BaseState::fault;
-}
-
-BridgeStage bridge_stage(BaseStage stage)
-{
-  switch (stage)
-  {
-    case BaseStage::listening: return BridgeStage::listening;
-    case BaseStage::booting: return BridgeStage::boot;
-    case BaseStage::identifying: return BridgeStage::identify;
-    case BaseStage::configuring: return BridgeStage::configure;
-    case BaseStage::starting: return BridgeStage::start;
-    case BaseStage::homing: return BridgeStage::home;
-    case BaseStage::started: break;
-  }
-  return BridgeStage::ready;
-}
-
-BridgeStage bridge_stage(State state, BaseStage stage)
-{
-  switch (state)
-  {
-    case State::waiting: return BridgeStage::link_down;
-    case State::starting: return bridge_stage(stage);
-    case State::ready: return BridgeStage::ready;
-    case State::enabling: return stage == BaseStage::homing ? BridgeStage::home : BridgeStage::enabling;
-    case State::enabled: return BridgeStage::enabled;
-    case State::stopping: return BridgeStage::stopping;
-    case State::fault: break;
-  }
-  return BridgeStage::fault;
-}
-
-}  // namespace
 
 class Bridge::Implementation
 {
@@ -89,17 +30,14 @@ public:
   void receive(const Frame& frame, double now)
   {
     link_.receive(frame, now);
-    if (!frame.error)
-    {
-      load_.add(worst_case_bits(frame));
-      protocol_->receive(frame, now, outbox_);
-    }
+    if (!frame.error) load_.add(worst_case_bits(frame));
+    if (!frame.error && is_talking()) protocol_->receive(frame, now, outbox_);
     react(now);
   }
 
   void command(const WheelCommand& command, double now)
   {
-    if (state_ != State::enabled) return;
+    if (state_ != BridgeState::enabled) return;
     if (take(command, now) && !sent_between_cycles_)
     {
       sent_between_cycles_ = true;
@@ -118,28 +56,28 @@ public:
 
   const char* enable(double now)
   {
-    if (state_ == State::enabled || state_ == State::enabling) return nullptr;
-    if (state_ == State::fault) return "in fault: clear the faults first";
-    if (state_ == State::stopping) return "still stopping";
-    if (state_ != State::ready) return "the drives are not ready yet";
+    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) return nullptr;
+    if (state_ == BridgeState::fault) return "in fault: clear the faults first";
+    if (state_ == BridgeState::stopping) return "still stopping";
+    if (state_ != BridgeState::ready) return "the drives are not ready yet";
     if (pressed_) return "the emergency stop is pressed";
     log_.clear();
-    enter(State::enabling, now);
+    enter(BridgeState::enabling, now);
     return nullptr;
   }
 
   const char* disable(double now)
   {
-    if (state_ == State::enabled) stop(StopProcedure::Kind::ramp, State::stopping, now);
-    if (state_ == State::enabling) stop(StopProcedure::Kind::brake, State::stopping, now);
+    if (state_ == BridgeState::enabled) stop(StopProcedure::Kind::ramp, BridgeState::stopping, now);
+    if (state_ == BridgeState::enabling) stop(StopProcedure::Kind::brake, BridgeState::stopping, now);
     return nullptr;
   }
 
   const char* clear_faults(double now)
   {
-    if (state_ == State::fault && stop_.phase() == StopProcedure::Phase::braking) return "still stopping";
+    if (state_ == BridgeState::fault && stop_.phase() == StopProcedure::Phase::braking) return "still stopping";
     log_.clear();
-    if (state_ != State::fault) return nullptr;
+    if (state_ != BridgeState::fault) return nullptr;
     reset_faults_ = true;
     wait_for_link(now);
     return nullptr;
@@ -149,7 +87,7 @@ public:
   {
     sent_between_cycles_ = false;
     link_.supervise(outbox_, now);
-    if (link_.usable() && state_ != State::waiting) protocol_->supervise(now, outbox_);
+    if (is_talking()) protocol_->supervise(now, outbox_);
     supervise_commands(now);
     react(now);
     advance(now);
@@ -179,13 +117,16 @@ public:
   }
 
 private:
-  void enter(State state, double now)
+  /// What comes from drives that have not been started anew since the bus was lost means nothing.
+  bool is_talking() const { return link_.usable() && state_ != BridgeState::waiting; }
+
+  void enter(BridgeState state, double now)
   {
     state_ = state;
     entered_ = now;
   }
 
-  void stop(StopProcedure::Kind kind, State state, double now)
+  void stop(StopProcedure::Kind kind, BridgeState state, double now)
   {
     stop_.begin(kind, now);
     enter(state, now);
@@ -195,7 +136,7 @@ private:
   {
     stop_.cancel();
     outbox_.clear();
-    enter(State::waiting, now);
+    enter(BridgeState::waiting, now);
   }
 
   /// Whether it is to be followed.
@@ -212,7 +153,7 @@ private:
 
   void supervise_commands(double now)
   {
-    if (state_ != State::enabled) return;
+    if (state_ != BridgeState::enabled) return;
     if (motion_.is_command_expired(now)) log_.report(Fault::command_timeout, kNoAxis, 0, now);
     if (motion_.alignment_overdue()) log_.report(Fault::alignment_timeout, kNoAxis, 0, now);
   }
@@ -221,13 +162,13 @@ private:
   void react(double now)
   {
     const Reaction reaction = log_.take_reaction();
-    const bool drives = state_ == State::enabling || state_ == State::enabled || state_ == State::stopping;
+    const bool drives = state_ == BridgeState::enabling || state_ == BridgeState::enabled || state_ == BridgeState::stopping;
     if (reaction == Reaction::note || (reaction == Reaction::stop && !drives)) return;
     motion_.halt(now);
-    if (state_ == State::fault) return;
-    if (reaction == Reaction::stop) stop(StopProcedure::Kind::brake, State::stopping, now);
+    if (state_ == BridgeState::fault) return;
+    if (reaction == Reaction::stop) stop(StopProcedure::Kind::brake, BridgeState::stopping, now);
     if (reaction == Reaction::restart) wait_for_link(now);
-    if (reaction == Reaction::latch) stop(StopProcedure::Kind::brake, State::fault, now);
+    if (reaction == Reaction::latch) stop(StopProcedure::Kind::brake, BridgeState::fault, now);
     transmit(now);
   }
 
@@ -235,15 +176,15 @@ private:
   {
     switch (state_)
     {
-      case State::waiting: return start(now);
-      case State::starting:
-        if (protocol_->stage() == BaseStage::started) enter(State::ready, now);
+      case BridgeState::waiting: return start(now);
+      case BridgeState::starting:
+        if (protocol_->stage() == BaseStage::started) enter(BridgeState::ready, now);
         return;
-      case State::enabling: return finish_enabling(now);
-      case State::stopping:
-      case State::fault: return go_on_stopping(now);
-      case State::ready:
-      case State::enabled: return;
+      case BridgeState::enabling: return finish_enabling(now);
+      case BridgeState::stopping:
+      case BridgeState::fault: return go_on_stopping(now);
+      case BridgeState::ready:
+      case BridgeState::enabled: return;
     }
   }
 
@@ -252,7 +193,7 @@ private:
     if (!link_.usable()) return;
     protocol_->restart(reset_faults_, now, outbox_);
     reset_faults_ = false;
-    enter(State::starting, now);
+    enter(BridgeState::starting, now);
   }
 
   void finish_enabling(double now)
@@ -260,30 +201,30 @@ private:
     if (protocol_->in_operation())
     {
       motion_.begin(now);
-      return enter(State::enabled, now);
+      return enter(BridgeState::enabled, now);
     }
     // Homing has a timeout of its own.
     if (protocol_->stage() == BaseStage::homing) entered_ = now;
     if (now - entered_ > options_.enable_timeout)
-      log_.report(Fault::enable_timeout, protocol_->axis_not_in_operation(), 0, now);
+      log_.report(Fault::power_timeout, protocol_->first_out_of_operation(), 0, now);
   }
 
   void go_on_stopping(double now)
   {
     stop_.update(fastest(protocol_->measured().speed), fastest(motion_.setpoint().speed), protocol_->out_of_operation(),
                  now);
-    if (state_ == State::fault) return;
+    if (state_ == BridgeState::fault) return;
     if (now - entered_ > options_.stop_timeout + options_.enable_timeout)
-      log_.report(Fault::enable_timeout, kNoAxis, 0, now);
+      log_.report(Fault::power_timeout, protocol_->first_in_operation(), 0, now);
     if (stop_.phase() != StopProcedure::Phase::done) return;
     stop_.cancel();
-    enter(State::ready, now);
+    enter(BridgeState::ready, now);
   }
 
   void move(double now)
   {
-    const bool stopping = state_ == State::stopping || state_ == State::fault;
-    if (state_ == State::enabled)
+    const bool stopping = state_ == BridgeState::stopping || state_ == BridgeState::fault;
+    if (state_ == BridgeState::enabled)
       motion_.follow(protocol_->measured(), now);
     else if (!stopping)
       motion_.hold(protocol_->measured(), now);
@@ -300,7 +241,7 @@ private:
     wheels_.mode = motion_.newest().mode;
     wheels_.sequence = motion_.newest().sequence;
     wheels_.motion = protocol_->measured();
-    wheels_.aligned = state_ == State::enabled && motion_.aligned();
+    wheels_.aligned = state_ == BridgeState::enabled && motion_.aligned();
   }
 
   DriveDemand demand() const
@@ -308,7 +249,7 @@ private:
     DriveDemand demand;
     demand.mode = motion_.mode();
     demand.motion = motion_.setpoint();
-    if (state_ == State::enabled || state_ == State::enabling) demand.steering = demand.driving = PowerGoal::on;
+    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) demand.steering = demand.driving = PowerGoal::on;
     if (stop_.phase() == StopProcedure::Phase::braking)
     {
       demand.steering = PowerGoal::keep;
@@ -319,7 +260,7 @@ private:
 
   void transmit(double now)
   {
-    if (link_.usable() && state_ != State::waiting) protocol_->command(demand(), now, outbox_);
+    if (is_talking()) protocol_->command(demand(), now, outbox_);
   }
 
   void end_cycle(double now)
@@ -327,7 +268,7 @@ private:
     load_.add(outbox_.sent_bits() - counted_bits_);
     counted_bits_ = outbox_.sent_bits();
     load_.update(now);
-    if (link_.usable() && state_ != State::waiting)
+    if (is_talking())
       protocol_->end_cycle(now, outbox_);
     else
       outbox_.clear();
@@ -341,10 +282,11 @@ private:
   Motion motion_;
   StopProcedure stop_;
   LoadMeter load_;
-  State state_ = State::waiting;
+  BridgeState state_ = BridgeState::waiting;
   double entered_ = 0.0;  ///< the state
   bool pressed_ = false;
-  bool reset_faults_ = false;        ///< at the next start
+  /// At the next start. Drives as delivered go into fault when their communication is reset, so also at the first.
+  bool reset_faults_ = true;
   bool sent_between_cycles_ = false;  ///< since the last cycle, because of a command
   std::uint64_t overtaken_ = 0;
   double counted_bits_ = 0.0;
@@ -369,25 +311,5 @@ void Bridge::cycle(double now) { implementation_->cycle(now); }
 Outbox& Bridge::outbox() { return implementation_->outbox(); }
 const WheelState& Bridge::wheels() const { return implementation_->wheels(); }
 BridgeReport Bridge::report() const { return implementation_->report(); }
-
-const char* to_string(BridgeStage stage)
-{
-  switch (stage)
-  {
-    case BridgeStage::link_down: return "link down";
-    case BridgeStage::listening: return "listening";
-    case BridgeStage::boot: return "boot";
-    case BridgeStage::identify: return "identify";
-    case BridgeStage::configure: return "configure";
-    case BridgeStage::start: return "start";
-    case BridgeStage::home: return "home";
-    case BridgeStage::ready: return "ready";
-    case BridgeStage::enabling: return "enabling";
-    case BridgeStage::enabled: return "enabled";
-    case BridgeStage::stopping: return "stopping";
-    case BridgeStage::fault: return "fault";
-  }
-  return "unknown";
-}
 
 }  // namespace fourwis::can

@@ -89,16 +89,20 @@ BaseStage Cia402Base::stage() const
   return least;
 }
 
-bool Cia402Base::out_of_operation() const
+int Cia402Base::first_in_operation() const
 {
-  return std::all_of(axes_.begin(), axes_.end(), [](const Axis& axis) { return axis.out_of_operation(); });
+  return first_axis([](const Axis& axis) { return !axis.out_of_operation(); });
 }
 
-int Cia402Base::axis_not_in_operation() const
+int Cia402Base::first_out_of_operation() const
 {
-  for (int i = 0; i < kAxes; ++i)
-    if (!axes_[static_cast<std::size_t>(i)].in_operation()) return i;
-  return kNoAxis;
+  return first_axis([](const Axis& axis) { return !axis.in_operation(); });
+}
+
+int Cia402Base::first_axis(bool (*is_it)(const Axis&)) const
+{
+  const auto found = std::find_if(axes_.begin(), axes_.end(), is_it);
+  return found == axes_.end() ? kNoAxis : static_cast<int>(found - axes_.begin());
 }
 
 /// Whether only the master of these drives may send that: we do, and what we send does not come back.

@@ -22,9 +22,8 @@ public:
   void end_cycle(double now, Outbox& outbox) override;
 
   BaseStage stage() const override;
-  bool in_operation() const override { return axis_not_in_operation() == kNoAxis; }
-  bool out_of_operation() const override;
-  int axis_not_in_operation() const override;
+  int first_in_operation() const override;
+  int first_out_of_operation() const override;
   const WheelMotion& measured() const override { return measured_; }
   double measured_at() const override { return synced_; }
   const char* refusal(const WheelCommand&) const override { return nullptr; }
@@ -33,6 +32,7 @@ public:
 private:
   static constexpr int kNodes = 128;
 
+  int first_axis(bool (*is_it)(const Axis&)) const;
   bool is_masters(const Address& address) const;
   void measure();
 

@@ -37,7 +37,7 @@ const char* to_string(Fault fault)
     case Fault::encoder_jump: return "encoder_jump";
     case Fault::steering_stuck: return "steering_stuck";
     case Fault::speed_not_followed: return "speed_not_followed";
-    case Fault::enable_timeout: return "enable_timeout";
+    case Fault::power_timeout: return "power_timeout";
     case Fault::alignment_timeout: return "alignment_timeout";
     case Fault::command_timeout: return "command_timeout";
     case Fault::invalid_command: return "invalid_command";

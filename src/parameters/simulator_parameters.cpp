@@ -53,6 +53,7 @@ const ParameterTable<SimulatorOptions>& simulator_table()
     {"speed_resolution", encoders(&EncoderOptions::speed_resolution), 0.0, 0.1, "m/s"},
     {"speed_noise", encoders(&EncoderOptions::speed_noise), 0.0, 0.1, "m/s"},
 
+    {"largest_jump", interlock(&InterlockOptions::largest_jump), 0.01, 10.0, "rad"},
     {"standstill_speed", interlock(&InterlockOptions::standstill_speed), 1e-4, 1.0, "m/s"},
     {"standstill_time", interlock(&InterlockOptions::standstill_time), 0.0, 10.0, "s"},
     {"aligned_angle", interlock(&InterlockOptions::aligned_angle), 1e-4, 0.5, "rad"},

@@ -90,7 +90,7 @@ void add_power(ObjectDictionary& objects)
   objects.add({object::kMode, 0}, command(1, -128, 127));
   objects.add({object::kModeDisplay, 0}, status(1, -128));
   objects.add({object::kSupportedModes, 0}, constant(4, 0x1A5));  // PP, PV, homing, CSP, CSV
-  objects.add({object::kAbortConnection, 0}, setting(2, 1, -32768, 32767));
+  objects.add({object::kAbortConnection, 0}, setting(2, 0, -32768, 32767));
   objects.add({object::kQuickStopOption, 0}, setting(2, 2, -32768, 32767));
   objects.add({object::kHaltOption, 0}, setting(2, 1, -32768, 32767));
   objects.add({object::kFaultReactionOption, 0}, setting(2, 2, -32768, 32767));

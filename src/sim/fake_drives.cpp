@@ -79,9 +79,9 @@ private:
   void begin_faults()
   {
     faults_.for_each_active(
-      [this](const DriveFault& fault)
+      [this](const DriveFault& fault, bool begins)
       {
-        if (!faults_.has_just_begun(fault) || is_of_the_bus(fault.kind)) return;
+        if (!begins || is_of_the_bus(fault.kind)) return;
         FakeDrive& drive = axis(fault.node).drive();
         const auto code = static_cast<std::uint16_t>(fault.value);
         if (fault.kind == DriveFaultKind::reboot) drive.reboot(time());

@@ -24,6 +24,7 @@ double greatest_gap(const PerWheel& a, const PerWheel& b)
 
 Interlock::Interlock(const InterlockOptions& options) : options_(options)
 {
+  require_between("largest_jump", options.largest_jump, 0.01, 10.0);
   require_between("standstill_speed", options.standstill_speed, 1e-6, 1.0);
   require_between("standstill_time", options.standstill_time, 0.0, 10.0);
   require_between("aligned_angle", options.aligned_angle, 1e-6, 0.5);
@@ -34,7 +35,7 @@ Interlock::Interlock(const InterlockOptions& options) : options_(options)
 void Interlock::want(Mode mode, const PerWheel& angle)
 {
   if (stage_ == Stage::failed) return;
-  if (mode != mode_)
+  if (mode != mode_ || greatest_gap(angle, angle_) > options_.largest_jump)
   {
     stage_ = mode == Mode::none ? Stage::locked : Stage::coming_to_rest;
     waiting_ = 0.0;

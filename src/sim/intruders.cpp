@@ -57,9 +57,8 @@ void Intruders::step(double now, double dt, const FrameSink& send)
   const bool cycle = now >= cycle_ + kPeriod - kRounding;
   if (cycle) cycle_ = now;
   faults_.for_each_active(
-    [&](const DriveFault& fault)
+    [&](const DriveFault& fault, bool begins)
     {
-      const bool begins = faults_.has_just_begun(fault);
       if (fault.kind == DriveFaultKind::foreign_master && cycle) send(foreign_command(fault));
       if (fault.kind == DriveFaultKind::duplicate_id && begins) send(boot_up(fault));
       if (fault.kind == DriveFaultKind::duplicate_id && cycle) send(idle_status(fault));

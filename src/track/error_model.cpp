@@ -56,6 +56,11 @@ ErrorState ErrorModel::error(const MotionState& state, const MotionState& refere
   return error;
 }
 
+double ErrorModel::advance(const ErrorState& error) const
+{
+  return mode_ == Mode::spin ? error[kHeading] * spin_radius(robot_) : error[kAlong];
+}
+
 Pose ErrorModel::pose(const ErrorState& error, const MotionState& reference) const
 {
   const double psi = reference.pose.theta + course(mode_, reference.phi), c = std::cos(psi), s = std::sin(psi);

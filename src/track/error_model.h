@@ -31,7 +31,10 @@ public:
   /// Deviation of `state`.
   ErrorState error(const MotionState& state, const MotionState& reference) const;
 
-  /// The inverse: the pose with that deviation. theta is not wrapped.
+  /// Of that, how far the robot has gone too far: along the course, or in spin the way of the wheels [m].
+  double advance(const ErrorState& error) const;
+
+  /// The inverse of error(): the pose with that deviation. theta is not wrapped.
   Pose pose(const ErrorState& error, const MotionState& reference) const;
 
   /// d(error)/dt, as above.

@@ -10,14 +10,18 @@ namespace
 
 /// Slower than this the reference is no measure of what the robot lags behind [m/s].
 constexpr double kSlow = 0.05;
+/// So much of the time the clock may wait at most.
+constexpr double kMostWait = 0.5;
 /// The longitudinal error at which a stretch is at its end [m].
-constexpr double kSettled = 0.001;
+constexpr double kSettled = 0.002;
+/// Wheels that are told to rest must do so by then [s].
+constexpr double kRestless = 2.0;
 
 }  // namespace
 
 Follower::Follower(const Robot& robot, const TrackOptions& options)
   : robot_(robot), options_(options), period_(1.0 / options.controller_frequency), mpc_(robot, options),
-    forecast_(robot, options), error_model_(robot, Mode::ackermann)
+    forecast_(robot, options), watch_(options), error_model_(robot, Mode::ackermann)
 {
 }
 
@@ -28,24 +32,24 @@ void Follower::start(const Reference& reference, const SteeringRange& steering, 
   mpc_.restart(reference.mode(), steering);
   forecast_.restart(reference.mode(), reference.start_phi());
   time_ = reference.start_time() - now.period;
-  waited_ = 0.0;
+  watch_.restart();
   holding_ = -1.0;
   asked_ = {0.0, reference.start_phi()};
 }
 
 Follower::Answer Follower::step(const Measurement& now)
 {
-  observe(now);
+  Answer answer;
+  answer.trouble = observe(now);
   const MotionState state = forecast_.ahead(now.pose, now.pose_stamp, now.now + options_.command_latency);
   time_ += now.period;
-  Answer answer;
-  answer.trouble = wait_for_robot(state, now.period);
+  wait_for_robot(state, now.period);
   if (answer.trouble) return answer;
   if (settles(state, now))
   {
-    answer.command = ask(now, {-asked_.v / period_, 0.0}, period_);
-    answer.command.v = 0.0;
+    answer.command = rest(now);
     answer.finished = now.at_rest && holding_ > options_.command_latency + period_;
+    if (holding_ > kRestless) answer.trouble = {"the wheels do not come to rest for %.3f s", holding_};
     return answer;
   }
   const MpcAnswer control = mpc_.solve(*reference_, time_, state);
@@ -56,30 +60,28 @@ Follower::Answer Follower::step(const Measurement& now)
   return answer;
 }
 
-/// Where the robot is, compared with where it should have been.
-void Follower::observe(const Measurement& now)
+/// Where the robot is, compared with where it should have been, and whether its wheels do what they were asked for.
+Trouble Follower::observe(const Measurement& now)
 {
-  const ModeMotion measured = mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi);
-  forecast_.measured(now.wheel_stamp, measured);
   clock_ = time_ + now.period - options_.command_latency - (now.now - now.pose_stamp);
   const MotionState& should = reference_->at(clock_).state;
   const ErrorState error = error_model_.error({now.pose, should.v, should.phi}, should);
   const double forward = should.v < 0.0 ? -1.0 : 1.0;
   deviation_ = {forward * error[1], forward * error[0], error[2]};
+
+  forecast_.measured(now.wheel_stamp, mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi));
+  const double phi = forecast_.asked(now.wheel_stamp).phi;
+  return watch_.judge(wheel_motion(robot_, reference_->mode(), 0.0, phi).angle, now.wheels.angle, now.period);
 }
 
-/// Holds the clock where the robot lags behind more than clock_slack.
-Trouble Follower::wait_for_robot(const MotionState& state, double period)
+/// Slows the clock down where the robot lags behind more than clock_slack. It must not stand: before a cusp the controller may
+/// see no use in moving.
+void Follower::wait_for_robot(const MotionState& state, double period)
 {
   const MotionState& should = reference_->at(time_).state;
-  const double ahead = error_model_.error(state, should)[0], lag = should.v < 0.0 ? ahead : -ahead;
-  const double excess = std::abs(should.v) < kSlow ? 0.0 : lag - options_.clock_slack;
-  const double wait = excess > 0.0 ? std::min(period, excess / std::abs(should.v)) : 0.0;
-  time_ -= wait;
-  waited_ = wait < 0.9 * period || period == 0.0 ? 0.0 : waited_ + wait;
-  if (waited_ > options_.progress_timeout)
-    return {"the robot has not moved on for %.3f s, progress_timeout is %.3f s", waited_, options_.progress_timeout};
-  return {};
+  const double ahead = error_model_.advance(error_model_.error(state, should));
+  const double behind = (should.v < 0.0 ? ahead : -ahead) - options_.clock_slack;
+  if (behind > 0.0 && std::abs(should.v) > kSlow) time_ -= std::min(kMostWait * period, behind / std::abs(should.v));
 }
 
 /// Whether the robot has come to the end of the stretch and is left to rest.
@@ -92,7 +94,7 @@ bool Follower::settles(const MotionState& state, const Measurement& now)
     holding_ += now.period;
     return true;
   }
-  const double error = error_model_.error(state, reference_->at(time_).state)[0];
+  const double error = error_model_.advance(error_model_.error(state, reference_->at(time_).state));
   const bool near = std::abs(error) < kSettled && std::abs(asked_.v) < options_.rest_speed;
   if (near || over > options_.settle_time) holding_ = 0.0;
   return holding_ >= 0.0;
@@ -106,6 +108,15 @@ ModeMotion Follower::ask(const Measurement& now, const MotionInput& input, doubl
   forecast_.ask(now.now + options_.command_latency, asked_, duration);
   return {from.v + input.a * (0.5 * duration + options_.drive_lag),
           from.phi + input.omega * (0.5 * duration + options_.steering_lag)};
+}
+
+/// The speed is 0 from now on.
+ModeMotion Follower::rest(const Measurement& now)
+{
+  const double v = forecast_.asked(now.now + options_.command_latency).v;
+  ModeMotion still = ask(now, {-v / period_, 0.0}, period_);
+  still.v = 0.0;
+  return still;
 }
 
 ModeMotion Follower::brake(const Measurement& now)

@@ -5,25 +5,14 @@
 #include "forecast.h"
 #include "guard.h"
 #include "mpc.h"
+#include "observer.h"
 #include "reference.h"
 
 namespace fourwis
 {
 
-/// What was measured, on the tracker's own clock, which runs on even where that of the input does not.
-struct Measurement
-{
-  double now = 0.0;          ///< [s]
-  double period = 0.0;       ///< since the step before [s]
-  double pose_stamp = 0.0;   ///< [s]
-  Pose pose;
-  double wheel_stamp = 0.0;  ///< [s]
-  WheelMotion wheels;
-  bool at_rest = false;  ///< the wheels are
-};
-
 /// Follows one stretch from rest to rest. Its clock is the trajectory's, shifted so that the first command takes effect
-/// at the stretch's beginning; it waits where the robot lags behind.
+/// at the stretch's beginning; it goes slower where the robot lags behind.
 class Follower
 {
 public:
@@ -50,8 +39,9 @@ public:
   const std::vector<Pose>& prediction() const { return mpc_.prediction(); }
 
 private:
-  void observe(const Measurement& now);
-  Trouble wait_for_robot(const MotionState& state, double period);
+  Trouble observe(const Measurement& now);
+  void wait_for_robot(const MotionState& state, double period);
+  ModeMotion rest(const Measurement& now);
   bool settles(const MotionState& state, const Measurement& now);
   ModeMotion ask(const Measurement& now, const MotionInput& input, double duration);
 
@@ -60,10 +50,10 @@ private:
   const double period_;  ///< of control [s]
   Mpc mpc_;
   Forecast forecast_;
+  WheelWatch watch_;
   const Reference* reference_ = nullptr;
   ErrorModel error_model_;
   double time_ = 0.0;     ///< the trajectory's, when the next command takes effect [s]
-  double waited_ = 0.0;   ///< in one go [s]
   double holding_ = 0.0;  ///< since the robot was left to rest at the end; negative while driving [s]
   double clock_ = 0.0;
   Deviation deviation_;

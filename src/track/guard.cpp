@@ -11,6 +11,15 @@ namespace
 /// Clocks of two computers may differ by so much [s].
 constexpr double kAhead = 0.05;
 
+/// A wheel may be away from its angle for so long: bumps, noise, a command that came late [s].
+constexpr double kStubborn = 0.3;
+
+constexpr const char* kWheelAway[] = {
+  "the front left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+  "the front right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+  "the rear left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+  "the rear right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad"};
+
 Trouble judge_age(double age, double timeout, const char* too_old, const char* ahead)
 {
   if (age > timeout) return {too_old, age, timeout};
@@ -73,6 +82,18 @@ Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options)
   if (std::abs(deviation.heading) > options.max_heading_error)
     return {"the robot's heading is off by %.3f rad, max_heading_error is %.3f rad", std::abs(deviation.heading),
             options.max_heading_error};
+  return {};
+}
+
+Trouble WheelWatch::judge(const PerWheel& expected, const PerWheel& measured, double period)
+{
+  for (std::size_t i = 0; i < away_.size(); ++i)
+  {
+    const double error = std::abs(std::remainder(measured[i] - expected[i], M_PI));
+    away_[i] = error > options_.max_wheel_error ? away_[i] + period : 0.0;
+    if (away_[i] > kStubborn)
+      return {kWheelAway[i], error, options_.max_wheel_error};
+  }
   return {};
 }
 

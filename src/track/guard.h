@@ -22,6 +22,22 @@ Trouble judge_input(const TrackInput& input, const TrackOptions& options);
 /// Whether the robot is farther from the trajectory than it may be.
 Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options);
 
+/// Notices wheels that keep away from where they should be.
+class WheelWatch
+{
+public:
+  explicit WheelWatch(const TrackOptions& options) : options_(options) {}
+
+  void restart() { away_.fill(0.0); }
+
+  /// Angles modulo pi; `period`: since the last look [s].
+  Trouble judge(const PerWheel& expected, const PerWheel& measured, double period);
+
+private:
+  const TrackOptions options_;
+  PerWheel away_{};  ///< for so long [s]
+};
+
 /// Whether no wheel rolls faster than rest_speed.
 bool is_at_rest(const WheelState& wheels, const TrackOptions& options);
 

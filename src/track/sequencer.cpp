@@ -1,90 +1,65 @@
 #include "sequencer.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace fourwis
 {
 namespace
 {
 
-/// A robot whose wheels' state is not known counts as being at rest so long after it should be [s].
+/// A robot that is not seen to come to rest counts as being at rest so long after it should be [s].
 constexpr double kBlindStop = 1.0;
-/// Room for a correction [points].
-constexpr std::size_t kCorrectionPoints = 4096;
-
-constexpr TrajectoryPoint kNowhere = {0.0, Mode::parallel};
 
 }  // namespace
 
 Sequencer::Sequencer(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), options_(options), follower_(robot, options), steering_(robot),
-    correction_(robot, &kNowhere, &kNowhere + 1)
+  : robot_(robot), options_(options), observer_(options), follower_(robot, options), steering_(robot),
+    corrector_(robot, options), measured_(observer_.measured())
 {
-  correction_.reserve(kCorrectionPoints);
 }
 
 void Sequencer::take(Mission& mission)
 {
   next_.swap(mission);
   has_next_ = true;
-  if (is_under_way()) stop_because({});
+  if (is_under_way()) brake_for({});
 }
 
 void Sequencer::stop()
 {
   has_next_ = false;
-  if (is_under_way()) stop_because({});
-  if (state_ == TrackState::arrived || state_ == TrackState::failed) come_to_rest(TrackState::idle);
+  if (is_under_way())
+    brake_for({});
+  else if (state_ != TrackState::stopping)
+    enter(TrackState::idle);
 }
 
 TrackOutput Sequencer::step(const TrackInput& input)
 {
-  const Trouble trouble = observe(input);
+  if (!numbered_) sequence_ = input.wheels.sequence;
+  numbered_ = true;
+  const Trouble trouble = observer_.observe(input);
   elapsed_ += measured_.period;
+  corrector_.pass(measured_.period);
   TrackOutput output;
-  output.command = act(input, trouble);
+  output.command = act(input.wheels, trouble);
   output.command.sequence = ++sequence_;
   report(output);
   return output;
 }
 
-/// Takes over what was measured, as far as it is good for anything, and says what is wrong with it.
-Trouble Sequencer::observe(const TrackInput& input)
+WheelCommand Sequencer::act(const WheelState& wheels, const Trouble& trouble)
 {
-  const double period = last_now_ && std::isfinite(input.now) ? input.now - *last_now_ : 0.0;
-  if (std::isfinite(input.now)) last_now_ = input.now;
-  const bool regular = period >= 0.0 && period <= options_.step_timeout;
-  measured_.period = regular ? period : 0.0;
-  measured_.now += measured_.period;
-  if (!numbered_) sequence_ = input.wheels.sequence;
-  numbered_ = true;
-
-  Trouble trouble = judge_input(input, options_);
-  if (!trouble && !regular)
-    trouble = {"the clock went on by %.3f s in one control step, step_timeout is %.3f s", period, options_.step_timeout};
-  measured_.at_rest = false;
-  if (trouble) return trouble;
-  measured_.pose = input.pose;
-  measured_.pose_stamp = measured_.now - (input.now - input.pose_stamp);
-  measured_.wheels = input.wheels.motion;
-  measured_.wheel_stamp = measured_.now - (input.now - input.wheels.stamp);
-  measured_.at_rest = is_at_rest(input.wheels, options_);
-  if (!is_under_way() && state_ != TrackState::stopping) steering_.adopt(input.wheels.motion.angle);
-  return {};
-}
-
-WheelCommand Sequencer::act(const TrackInput& input, const Trouble& trouble)
-{
-  if (trouble && is_under_way()) stop_because(trouble);
-  if (has_next_ && !is_under_way() && state_ != TrackState::stopping) begin(trouble);
+  if (trouble && is_under_way()) brake_for(trouble);
+  const bool rests = !is_under_way() && state_ != TrackState::stopping;
+  if (rests && measured_.usable) steering_.adopt(measured_.wheels.angle);
+  if (rests && has_next_) begin(trouble);
   switch (state_)
   {
-    case TrackState::aligning: return align(input.wheels);
+    case TrackState::aligning: return align(wheels);
     case TrackState::driving: return drive();
     case TrackState::stopping: return brake();
-    default: return steering_.hold();
+    default: return rest();
   }
 }
 
@@ -94,163 +69,132 @@ void Sequencer::begin(const Trouble& trouble)
   mission_.swap(next_);
   has_next_ = false;
   index_ = 0;
-  correcting_ = false;
-  corrected_ = 0.0;
-  if (trouble) return fail(trouble);
-  const Pose& start = mission_.front().start_pose();
-  const double away = distance(measured_.pose, start), turned = std::abs(wrap_angle(measured_.pose.theta - start.theta));
-  if (away > options_.max_lateral_error || turned > options_.max_heading_error)
-    return fail({"the trajectory begins %.3f m and %.3f rad from the robot", away, turned});
+  corrector_.finish();
+  if (trouble) return enter(TrackState::failed, trouble);
+  if (const Trouble away = judge_start(mission_.front().start_pose())) return enter(TrackState::failed, away);
   start_aligning();
+}
+
+Trouble Sequencer::judge_start(const Pose& start) const
+{
+  if (!measured_.usable || is_under_way() || state_ == TrackState::stopping) return {};
+  const double away = distance(measured_.pose, start);
+  const double turned = std::abs(wrap_angle(measured_.pose.theta - start.theta));
+  if (away <= options_.max_lateral_error && turned <= options_.max_heading_error) return {};
+  return {"the trajectory begins %.3f m and %.3f rad from where the robot is", away, turned};
 }
 
 /// Sets the wheels' angles for the stretch.
 void Sequencer::start_aligning()
 {
   const Reference& next = stretch();
-  const Trouble trouble = steering_.choose(next.mode(), next.start_phi(), {next.least_phi(), next.greatest_phi()},
-                                           measured_.wheels.angle);
-  if (trouble) return fail(trouble);
-  state_ = TrackState::aligning;
-  elapsed_ = 0.0;
+  const SteeringRange range = {next.least_phi(), next.greatest_phi()};
+  if (const Trouble trouble = steering_.choose(next.mode(), next.start_phi(), range, measured_.wheels.angle))
+    return enter(TrackState::failed, trouble);
+  enter(TrackState::aligning);
   aligning_sequence_ = sequence_ + 1;
-  message_[0] = '\0';
-}
-
-/// Whether `aligned` is about a command with the present angles: the base has taken one that was sent since.
-bool Sequencer::is_aligned(const WheelState& wheels) const
-{
-  const std::uint32_t behind = sequence_ - wheels.sequence, since = sequence_ - aligning_sequence_;
-  return sequence_ + 1 != aligning_sequence_ && behind <= since && wheels.mode == steering_.command().mode &&
-         wheels.aligned;
 }
 
 WheelCommand Sequencer::align(const WheelState& wheels)
 {
   if (is_aligned(wheels))
   {
-    state_ = TrackState::driving;
-    elapsed_ = 0.0;
+    enter(TrackState::driving);
     follower_.start(stretch(), steering_.range(), measured_);
     return drive();
   }
-  if (elapsed_ > options_.alignment_timeout)
-  {
-    stop_because({"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_,
-                  options_.alignment_timeout});
-    return brake();
-  }
-  return steering_.command();
+  if (elapsed_ <= options_.alignment_timeout) return steering_.command();
+  brake_for({"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_,
+             options_.alignment_timeout});
+  return brake();
+}
+
+/// Whether `aligned` is about the angles wanted now: the base has taken one of the commands sent since.
+bool Sequencer::is_aligned(const WheelState& wheels) const
+{
+  const std::uint32_t sent = sequence_ + 1 - aligning_sequence_, behind = sequence_ - wheels.sequence;
+  return wheels.aligned && wheels.mode == stretch().mode() && behind < sent;
 }
 
 WheelCommand Sequencer::drive()
 {
   const Follower::Answer answer = follower_.step(measured_);
   Trouble trouble = answer.trouble ? answer.trouble : judge_deviation(follower_.deviation(), options_);
-  if (!trouble && answer.finished) return finish_stretch();
+  if (!trouble && answer.finished)
+  {
+    finish_stretch();
+    return is_under_way() ? steering_.command() : rest();
+  }
   if (!trouble) trouble = steering_.set(stretch().mode(), answer.command);
   if (!trouble) return steering_.command();
-  stop_because(trouble);
+  brake_for(trouble);
   return brake();
 }
 
 /// At rest at the end of a stretch: correct, go on, or arrive.
-WheelCommand Sequencer::finish_stretch()
+void Sequencer::finish_stretch()
 {
-  const Pose target = mission_[index_].end_pose();
-  if (!is_near(target))
-  {
-    if (start_correction(target)) return steering_.command();
-    if (is_under_way() && is_last())
-      fail({"the robot rests %.4f m and %.4f rad from the goal, which is beyond the tolerances",
-            distance(measured_.pose, target), std::abs(wrap_angle(measured_.pose.theta - target.theta))});
-    if (!is_under_way()) return steering_.hold();
-  }
-  correcting_ = false;
-  corrected_ = 0.0;
-  if (is_last())
-    come_to_rest(TrackState::arrived);
-  else
-  {
-    ++index_;
-    start_aligning();
-  }
-  return is_under_way() ? steering_.command() : steering_.hold();
-}
-
-bool Sequencer::is_near(const Pose& target) const
-{
-  const double xy = is_last() ? options_.xy_goal_tolerance : options_.xy_switch_tolerance;
-  const double yaw = is_last() ? options_.yaw_goal_tolerance : options_.yaw_switch_tolerance;
-  return distance(measured_.pose, target) <= xy && std::abs(wrap_angle(measured_.pose.theta - target.theta)) <= yaw;
-}
-
-/// First the heading, then the place. False when the time for it is over.
-bool Sequencer::start_correction(const Pose& target)
-{
-  if (corrected_ > options_.correction_timeout) return false;
-  const double turn = wrap_angle(target.theta - measured_.pose.theta);
-  const Creep creep = std::abs(turn) > options_.yaw_goal_tolerance
-                        ? creeping_turn(robot_, measured_.pose, turn, options_.correction_speed)
-                        : creeping_shift(measured_.pose, target, options_.correction_speed);
-  correction_.assign(creep.data(), creep.data() + creep.size());
-  correcting_ = true;
+  const RestingPlace place = resting_place();
+  const bool reached = place.is_reached(measured_.pose);
+  if (!reached && corrector_.start(measured_.pose, place)) return start_aligning();
+  corrector_.finish();
+  if (!reached && is_last())
+    return enter(TrackState::failed,
+                        {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer",
+                         distance(measured_.pose, place.pose),
+                         std::abs(wrap_angle(measured_.pose.theta - place.pose.theta))});
+  if (is_last()) return enter(TrackState::arrived);
+  ++index_;
   start_aligning();
-  return is_under_way();
+}
+
+/// Where the present stretch of the mission should end.
+RestingPlace Sequencer::resting_place() const
+{
+  const Pose& end = mission_[index_].end_pose();
+  if (is_last()) return {end, options_.xy_goal_tolerance, options_.yaw_goal_tolerance};
+  return {end, options_.xy_switch_tolerance, options_.yaw_switch_tolerance};
 }
 
 /// Reduces the speed along the present curve; at rest, holds the wheels.
 WheelCommand Sequencer::brake()
 {
-  const ModeMotion motion = follower_.brake(measured_);
-  const bool ramped = motion.v == 0.0 || !driving_before_stop_;
-  if (ramped && (measured_.at_rest || elapsed_ > kBlindStop + robot_.max_speed / robot_.max_acceleration))
-  {
-    come_to_rest(after_stop_);
-    return steering_.hold();
-  }
-  if (ramped || steering_.set(steering_.command().mode, motion)) return steering_.hold();
-  return steering_.command();
+  const ModeMotion slower = follower_.brake(measured_);
+  rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
+  if (rolling_) return steering_.command();
+  const double ramp = robot_.max_speed / robot_.max_acceleration;
+  if (!measured_.at_rest && elapsed_ <= ramp + kBlindStop) return rest();
+  if (fails_)
+    enter(TrackState::failed, reason_);
+  else
+    enter(TrackState::idle);
+  return rest();
 }
 
 /// Begins to brake: on the way to `failed` because of trouble, to `idle` without.
-void Sequencer::stop_because(const Trouble& trouble)
+void Sequencer::brake_for(const Trouble& trouble)
 {
-  driving_before_stop_ = state_ == TrackState::driving;
-  state_ = TrackState::stopping;
-  elapsed_ = 0.0;
-  after_stop_ = trouble ? TrackState::failed : TrackState::idle;
-  say(trouble);
+  rolling_ = state_ == TrackState::driving;
+  fails_ = bool(trouble);
+  enter(TrackState::stopping, trouble ? trouble : Trouble{"told to stop"});
 }
 
-void Sequencer::come_to_rest(TrackState state)
+void Sequencer::enter(TrackState state, const Trouble& reason)
 {
   state_ = state;
+  reason_ = reason;
   elapsed_ = 0.0;
-  if (state != TrackState::failed) message_[0] = '\0';
 }
 
-void Sequencer::fail(const Trouble& trouble)
-{
-  come_to_rest(TrackState::failed);
-  say(trouble);
-}
-
-void Sequencer::say(const Trouble& trouble)
-{
-  message_[0] = '\0';
-  if (trouble) std::snprintf(message_.data(), message_.size(), trouble.format, trouble.first, trouble.second);
-}
-
-void Sequencer::report(TrackOutput& output) const
+void Sequencer::report(TrackOutput& output)
 {
   output.state = state_;
+  write(reason_, message_);
   output.message = message_.data();
-  if (!is_under_way() && state_ != TrackState::stopping) return;
+  if (state_ != TrackState::driving && !(state_ == TrackState::stopping && rolling_)) return;
   output.speed = follower_.asked().v;
   output.phi = follower_.asked().phi;
-  if (state_ == TrackState::aligning) return;
-  output.t = follower_.clock();
+  output.t = corrector_.is_active() ? mission_[index_].end_time() : follower_.clock();
   output.lateral_error = follower_.deviation().lateral;
   output.longitudinal_error = follower_.deviation().longitudinal;
   output.heading_error = follower_.deviation().heading;

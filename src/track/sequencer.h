@@ -1,12 +1,10 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "fourwis_navigation/track/tracker.h"
-#include "correction.h"
+#include "corrector.h"
 #include "follower.h"
 #include "mission.h"
+#include "observer.h"
 #include "steering_unit.h"
 
 namespace fourwis
@@ -23,63 +21,66 @@ class Sequencer
 public:
   Sequencer(const Robot& robot, const TrackOptions& options);
 
-  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. The former contents are handed
-  /// back, so that nothing is freed here.
+  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. A mission that was waiting is
+  /// handed back in exchange.
   void take(Mission& mission);
 
-  /// Brakes to rest and forgets the mission.
+  /// Brakes to rest and forgets all missions.
   void stop();
 
   TrackOutput step(const TrackInput& input);
 
-  TrackState state() const { return state_; }
+  /// What is wrong with beginning there, as far as it is known where the robot is and that it rests.
+  Trouble judge_start(const Pose& start) const;
+
+  /// Empty unless driving.
   const std::vector<Pose>& prediction() const { return state_ == TrackState::driving ? follower_.prediction() : none_; }
 
 private:
   bool is_under_way() const { return state_ == TrackState::aligning || state_ == TrackState::driving; }
-  const Reference& stretch() const { return correcting_ ? correction_ : mission_[index_]; }
   bool is_last() const { return index_ + 1 == mission_.size(); }
+  const Reference& stretch() const { return corrector_.is_active() ? corrector_.stretch() : mission_[index_]; }
+  RestingPlace resting_place() const;
 
-  Trouble observe(const TrackInput& input);
-  WheelCommand act(const TrackInput& input, const Trouble& trouble);
+  // These change the state.
   void begin(const Trouble& trouble);
   void start_aligning();
+  void finish_stretch();
+  void brake_for(const Trouble& trouble);
+  void enter(TrackState state, const Trouble& reason = {});
+
+  // These are the states.
+  WheelCommand act(const WheelState& wheels, const Trouble& trouble);
   WheelCommand align(const WheelState& wheels);
-  bool is_aligned(const WheelState& wheels) const;
   WheelCommand drive();
-  WheelCommand finish_stretch();
-  bool is_near(const Pose& target) const;
-  bool start_correction(const Pose& target);
   WheelCommand brake();
-  void come_to_rest(TrackState state);
-  void stop_because(const Trouble& trouble);
-  void fail(const Trouble& trouble);
-  void say(const Trouble& trouble);
-  void report(TrackOutput& output) const;
+  WheelCommand rest() const { return steering_.hold(); }
+
+  bool is_aligned(const WheelState& wheels) const;
+  void report(TrackOutput& output);
 
   const Robot robot_;
   const TrackOptions options_;
+  Observer observer_;
   Follower follower_;
   SteeringUnit steering_;
-  Measurement measured_;
-  std::optional<double> last_now_;  ///< of the input
+  Corrector corrector_;
+  const Measurement& measured_;
 
   TrackState state_ = TrackState::idle;
-  TrackState after_stop_ = TrackState::idle;
-  std::array<char, 160> message_{};
-  bool driving_before_stop_ = false;
-  double elapsed_ = 0.0;  ///< in this state [s]
+  Trouble reason_;         ///< for being in it, where there is one to be told
+  double elapsed_ = 0.0;   ///< in it [s]
+  bool fails_ = false;     ///< whether braking ends in `failed` or in `idle`
+  bool rolling_ = false;   ///< whether there is anything to brake
+  Sentence message_{};
 
   Mission mission_, next_;
   bool has_next_ = false;
-  std::size_t index_ = 0;
-  bool correcting_ = false;
-  double corrected_ = 0.0;  ///< how long this place has been corrected for [s]
-  Reference correction_;
+  std::size_t index_ = 0;  ///< of the stretch within the mission
 
-  std::uint32_t sequence_ = 0;          ///< of the last command
-  std::uint32_t aligning_sequence_ = 0;  ///< of the first that has the angles to align to
-  bool numbered_ = false;               ///< whether the sequence has begun
+  bool numbered_ = false;                ///< whether the sequence has begun
+  std::uint32_t sequence_ = 0;           ///< of the last command
+  std::uint32_t aligning_sequence_ = 0;  ///< of the first command with the angles to align to
   const std::vector<Pose> none_;
 };
 

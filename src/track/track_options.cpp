@@ -44,12 +44,12 @@ void check(const TrackOptions& options)
                                     {"max_lateral_error", options.max_lateral_error},
                                     {"max_longitudinal_error", options.max_longitudinal_error},
                                     {"max_heading_error", options.max_heading_error},
+                                    {"max_wheel_error", options.max_wheel_error},
                                     {"clock_slack", options.clock_slack}})
     check(name, value, 1e-4, 3.2);
   for (const auto& [name, time] : {std::pair("correction_timeout", options.correction_timeout),
                                    {"settle_time", options.settle_time},
                                    {"alignment_timeout", options.alignment_timeout},
-                                   {"progress_timeout", options.progress_timeout},
                                    {"pose_timeout", options.pose_timeout},
                                    {"wheel_state_timeout", options.wheel_state_timeout},
                                    {"step_timeout", options.step_timeout}})

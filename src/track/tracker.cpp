@@ -6,6 +6,18 @@
 namespace fourwis
 {
 
+namespace
+{
+
+std::string text(const Trouble& trouble)
+{
+  Sentence sentence;
+  write(trouble, sentence);
+  return sentence.data();
+}
+
+}  // namespace
+
 class Tracker::Implementation
 {
 public:
@@ -25,15 +37,17 @@ Tracker::~Tracker() = default;
 
 std::string Tracker::accept(const Trajectory& trajectory)
 {
+  Implementation& self = *implementation_;
   if (trajectory.empty())
   {
     stop();
     return {};
   }
-  const std::string complaint = check_trajectory(implementation_->robot, trajectory);
+  std::string complaint = check_trajectory(self.robot, trajectory);
+  if (complaint.empty()) complaint = text(self.sequencer.judge_start(trajectory.front().pose()));
   if (!complaint.empty()) return complaint;
-  Mission mission = mission_of(implementation_->robot, trajectory);
-  implementation_->sequencer.take(mission);
+  Mission mission = mission_of(self.robot, trajectory);
+  self.sequencer.take(mission);
   return {};
 }
 

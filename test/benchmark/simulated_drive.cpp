@@ -103,11 +103,12 @@ private:
   /// Where the robot is.
   Pose pose() const { return compose(world_, base_.pose()); }
 
-  /// Moves the body aside, wheels turning on: to the base all places are the same.
+  /// Moves the body aside, wheels turning on: to the base all places are the same. Not into an obstacle; it waits for room.
   void push()
   {
-    const Pose& base = base_.pose();
-    world_ = compose(compose(pose(), circumstances_.push->by), relative_to(base, Pose{}));
+    const Pose there = compose(pose(), circumstances_.push->by);
+    if (footprint_ && footprint_->collides(there)) return;
+    world_ = compose(there, relative_to(base_.pose(), Pose{}));
     pushed_ = true;
   }
 

@@ -30,6 +30,7 @@ Subject<SimulatorOptions> subject_of()
            {"angle_noise", [](const O& o) { return o.encoders.angle_noise; }},
            {"speed_resolution", [](const O& o) { return o.encoders.speed_resolution; }},
            {"speed_noise", [](const O& o) { return o.encoders.speed_noise; }},
+           {"largest_jump", [](const O& o) { return o.interlock.largest_jump; }},
            {"standstill_speed", [](const O& o) { return o.interlock.standstill_speed; }},
            {"standstill_time", [](const O& o) { return o.interlock.standstill_time; }},
            {"aligned_angle", [](const O& o) { return o.interlock.aligned_angle; }},

@@ -41,8 +41,8 @@ Subject<TrackOptions> subject_of()
            {"max_lateral_error", [](const O& o) { return o.max_lateral_error; }},
            {"max_longitudinal_error", [](const O& o) { return o.max_longitudinal_error; }},
            {"max_heading_error", [](const O& o) { return o.max_heading_error; }},
+           {"max_wheel_error", [](const O& o) { return o.max_wheel_error; }},
            {"clock_slack", [](const O& o) { return o.clock_slack; }},
-           {"progress_timeout", [](const O& o) { return o.progress_timeout; }},
            {"pose_timeout", [](const O& o) { return o.pose_timeout; }},
            {"wheel_state_timeout", [](const O& o) { return o.wheel_state_timeout; }},
            {"step_timeout", [](const O& o) { return o.step_timeout; }}}};

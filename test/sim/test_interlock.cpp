@@ -97,6 +97,18 @@ TEST_F(InterlockOfWheels, StaysReleasedWithinAMode)
   EXPECT_TRUE(interlock.aligned());
 }
 
+TEST_F(InterlockOfWheels, TreatsAJumpOfAnAngleAsAnotherMode)
+{
+  pass(0.2, 0.0, 0.0);
+  interlock.want(Mode::parallel, all(0.0));
+  pass(0.1, 0.0, 0.0);
+  pass(0.1, 0.0, 1.0);
+  interlock.want(Mode::parallel, all(29.0 * kDegree));
+  EXPECT_TRUE(interlock.may_drive());
+  interlock.want(Mode::parallel, {29.0 * kDegree, 29.0 * kDegree, 60.0 * kDegree, 29.0 * kDegree});
+  EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
+}
+
 TEST_F(InterlockOfWheels, LocksWithTheNextModeAndWithNone)
 {
   for (Mode next : {Mode::lateral, Mode::none})

@@ -66,9 +66,10 @@ public:
   virtual void end_cycle(double now, Outbox& outbox) = 0;
 
   virtual BaseStage stage() const = 0;
-  virtual bool in_operation() const = 0;   ///< all drives follow
-  virtual bool out_of_operation() const = 0;  ///< no drive follows, as far as is known
-  virtual int axis_not_in_operation() const = 0;  ///< the first one, or kNoAxis
+  virtual int first_in_operation() const = 0;      ///< of the axes that may move by themselves; kNoAxis if none
+  virtual int first_out_of_operation() const = 0;  ///< of the axes that do not follow; kNoAxis if all follow
+  bool in_operation() const { return first_out_of_operation() == kNoAxis; }
+  bool out_of_operation() const { return first_in_operation() == kNoAxis; }
 
   virtual const WheelMotion& measured() const = 0;
   virtual double measured_at() const = 0;  ///< [s]

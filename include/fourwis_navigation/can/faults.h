@@ -41,7 +41,7 @@ enum class Fault : std::uint8_t
   steering_stuck,
   speed_not_followed,
   // The base.
-  enable_timeout,
+  power_timeout,
   alignment_timeout,
   // Those who command it.
   command_timeout,
@@ -87,7 +87,7 @@ std::string text_of(const FaultRecord& record);
 class FaultLog
 {
 public:
-  static constexpr std::size_t kKept = 8;
+  static constexpr std::size_t kKept = 32;
 
   void report(Fault fault, int axis, std::uint32_t detail, double now);
 

@@ -7,8 +7,9 @@
 namespace fourwis
 {
 
-/// Keeps wheels that point somewhere else from driving: a command of another mode than the one before first waits for
-/// standstill, then turns the wheels, then waits until they are aligned, and only then lets them drive.
+/// Keeps wheels that point somewhere else from driving: a command of another mode than the one before, or with angles
+/// far from it, first waits for standstill, then turns the wheels, then waits until they are aligned, and only then
+/// lets them drive.
 class Interlock
 {
 public:

@@ -32,6 +32,7 @@ struct EncoderOptions
 /// When wheels may turn and drive after a change of mode.
 struct InterlockOptions
 {
+  double largest_jump = M_PI * 30.0 / 180.0;  ///< of a commanded angle; beyond it is treated as another mode [rad]
   double standstill_speed = 0.005;           ///< every wheel is slower at standstill [m/s]
   double standstill_time = 0.1;              ///< for so long [s]
   double aligned_angle = M_PI * 2.0 / 180.0;  ///< every wheel is nearer to its angle when aligned [rad]

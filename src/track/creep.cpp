@@ -1,4 +1,4 @@
-#include "correction.h"
+#include "creep.h"
 
 #include <algorithm>
 #include <cmath>

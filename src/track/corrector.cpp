@@ -1,0 +1,48 @@
+#include "corrector.h"
+
+#include <cmath>
+
+#include "creep.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Room for a correction [points].
+constexpr std::size_t kCorrectionPoints = 4096;
+
+constexpr TrajectoryPoint kNowhere = {0.0, Mode::parallel};
+
+}  // namespace
+
+bool RestingPlace::is_reached(const Pose& at) const
+{
+  return distance(at, pose) <= xy_tolerance && std::abs(wrap_angle(at.theta - pose.theta)) <= yaw_tolerance;
+}
+
+Corrector::Corrector(const Robot& robot, const TrackOptions& options)
+  : robot_(robot), options_(options), stretch_(robot, &kNowhere, &kNowhere + 1)
+{
+  stretch_.reserve(kCorrectionPoints);
+}
+
+bool Corrector::start(const Pose& from, const RestingPlace& to)
+{
+  if (spent_ > options_.correction_timeout) return false;
+  const double turn = wrap_angle(to.pose.theta - from.theta);
+  const Creep creep = std::abs(turn) > to.yaw_tolerance
+                        ? creeping_turn(robot_, from, turn, options_.correction_speed)
+                        : creeping_shift(from, to.pose, options_.correction_speed);
+  stretch_.assign(creep.data(), creep.data() + creep.size());
+  active_ = true;
+  return true;
+}
+
+void Corrector::finish()
+{
+  active_ = false;
+  spent_ = 0.0;
+}
+
+}  // namespace fourwis

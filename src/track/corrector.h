@@ -1,0 +1,46 @@
+#pragma once
+
+#include "fourwis_navigation/track/track_options.h"
+#include "reference.h"
+
+namespace fourwis
+{
+
+/// Where the robot ought to rest, and how near to it will do.
+struct RestingPlace
+{
+  Pose pose;
+  double xy_tolerance, yaw_tolerance;  ///< [m], [rad]
+
+  bool is_reached(const Pose& at) const;
+};
+
+/// Creeping motions from where the robot rests to where it ought to: first it turns in place, then it shifts straight to the
+/// place. Allocates nothing after set-up.
+class Corrector
+{
+public:
+  Corrector(const Robot& robot, const TrackOptions& options);
+
+  /// Whether a correction goes on, and the stretch to drive for it.
+  bool is_active() const { return active_; }
+  const Reference& stretch() const { return stretch_; }
+
+  /// Begins the next motion; false when correction_timeout is over.
+  bool start(const Pose& from, const RestingPlace& to);
+
+  /// Lets time pass [s].
+  void pass(double time) { spent_ += active_ ? time : 0.0; }
+
+  /// The place is reached, or given up.
+  void finish();
+
+private:
+  const Robot robot_;
+  const TrackOptions options_;
+  Reference stretch_;
+  bool active_ = false;
+  double spent_ = 0.0;  ///< at this place [s]
+};
+
+}  // namespace fourwis

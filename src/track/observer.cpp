@@ -1,0 +1,38 @@
+#include "observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "guard.h"
+
+namespace fourwis
+{
+
+Trouble Observer::observe(const TrackInput& input)
+{
+  const Trouble clock = advance_clock(input.now);
+  const Trouble trouble = judge_input(input, options_);
+  measured_.usable = !trouble && !clock;
+  measured_.at_rest = measured_.usable && is_at_rest(input.wheels, options_);
+  if (!measured_.usable) return trouble ? trouble : clock;
+  measured_.pose = input.pose;
+  measured_.pose_stamp = measured_.now - (input.now - input.pose_stamp);
+  measured_.wheels = input.wheels.motion;
+  measured_.wheel_stamp = measured_.now - (input.now - input.wheels.stamp);
+  return {};
+}
+
+/// A step that is no time or too much of it counts as none.
+Trouble Observer::advance_clock(double now)
+{
+  const double period = last_now_ && std::isfinite(now) ? now - *last_now_ : 0.0;
+  if (std::isfinite(now)) last_now_ = now;
+  const bool regular = period >= 0.0 && period <= options_.step_timeout;
+  measured_.period = regular ? period : 0.0;
+  measured_.now += measured_.period;
+  if (regular) return {};
+  return {"the clock went on by %.3f s from one control step to the next, step_timeout is %.3f s", period,
+          options_.step_timeout};
+}
+
+}  // namespace fourwis

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "fourwis_navigation/track/track_options.h"
+#include "fourwis_navigation/track/tracker.h"
+#include "trouble.h"
+
+namespace fourwis
+{
+
+/// What was measured, on the tracker's own clock, which neither jumps nor runs back.
+struct Measurement
+{
+  double now = 0.0;         ///< [s]
+  double period = 0.0;      ///< since the step before [s]
+  double pose_stamp = 0.0;  ///< [s]
+  Pose pose;
+  double wheel_stamp = 0.0;  ///< [s]
+  WheelMotion wheels;
+  bool at_rest = false;  ///< no wheel rolls faster than rest_speed
+  bool usable = false;   ///< otherwise all but the times is of an earlier step
+};
+
+/// Judges what is known of the robot and keeps what can be used.
+class Observer
+{
+public:
+  explicit Observer(const TrackOptions& options) : options_(options) {}
+
+  /// Takes over the input, or says what is wrong with it.
+  Trouble observe(const TrackInput& input);
+
+  const Measurement& measured() const { return measured_; }
+
+private:
+  Trouble advance_clock(double now);
+
+  const TrackOptions options_;
+  std::optional<double> last_now_;  ///< of the input
+  Measurement measured_;
+};
+
+}  // namespace fourwis
