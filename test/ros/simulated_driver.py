@@ -1,7 +1,9 @@
 """Sends the simulated robot to goals and waits for what comes of it."""
 import math
 import threading
+import time
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped
 from map_msgs.msg import OccupancyGridUpdate
@@ -9,6 +11,22 @@ from map_msgs.msg import OccupancyGridUpdate
 from fourwis_navigation.msg import ModeTrajectory, PlannerStatus, Tracking
 
 PATIENCE = 60.0  # how long to wait for what must happen [s]
+
+
+def wait_until(condition):
+    """For conditions that nobody announces."""
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError(f'{condition.__name__} did not come true')
+        time.sleep(0.05)
+
+
+def is_time_simulated():
+    try:
+        return rosgraph.Master('/driver').hasParam('/use_sim_time')
+    except OSError:  # no master yet
+        return False
 
 
 class Inbox:
@@ -38,6 +56,7 @@ class Inbox:
 
 class Driver:
     def __init__(self):
+        wait_until(is_time_simulated)  # a node that is there before has another idea of time for ever
         rospy.init_node('driver')
         self.goals = rospy.Publisher('move_base_simple/goal', PoseStamped, queue_size=10)
         self.map_updates = rospy.Publisher('map_updates', OccupancyGridUpdate, queue_size=10)
