@@ -1,71 +1,81 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, plans across a real building and shows the plan: as a picture, whose file name is
-# printed, and in rviz where there is a display.
+# Installs what is missing, builds, plans across a real building (as a picture, whose file name is printed) and drives a
+# simulated robot through it, from goal to goal: in rviz where there is a display, otherwise faster than real time.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 picture=$build/demo.svg
-display=${DISPLAY:-${WAYLAND_DISPLAY:-}}
+log=$build/demo.log
+if [[ -n ${DISPLAY:-${WAYLAND_DISPLAY:-}} ]]; then rviz=true speed=1; else rviz=false speed=6; fi
 
-"$root/scripts/install_dependencies.sh" build ${display:+exec}
+"$root/scripts/install_dependencies.sh" build exec
 "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=OFF
 source "$root/scripts/environment.sh"
 
 # OctoMap's documentation comes with a 3D laser map of building 079 of the university of Freiburg.
 building=$(dpkg -L liboctomap-dev 2>/dev/null | grep '/geb079\.bt$' || true)
 if [[ -e $building ]]; then
-  # Its doors are half a metre wide: through two of them from one room into another, with a robot that fits. Tight spots
-  # at either end take all three modes.
+  # Its doors are half a metre wide: through two of them from one room into another, and back by way of the corridor, with
+  # a robot that fits. Tight spots at either end take all three modes.
   map=(octomap "$building")
   robot=$root/config/robot_compact.yaml
-  start=2.44,-2.02,-1.5708
-  goal=16.65,3.24,0
+  start=(2.44 -2.02 -1.5708)
+  goals=(16.65,3.24,0 16.3,-0.3,180 9.4,0.3,-90 0.5,0.2,180 2.44,-4.1,90)
 else
   echo "No laser map of a building here (liboctomap-dev without its documentation); using a map of ours instead."
   map=(map "$root/config/env2.yaml")
   robot=$root/config/robot.yaml
-  start=2,7.4,0
-  goal=7.5,0.65,0
+  start=(2 7.4 0)
+  goals=(7.5,0.65,0 2,7.4,0)
 fi
 
 "$build/devel/lib/fourwis_navigation/plan" "--${map[0]}" "${map[1]}" --robot "$robot" \
-  "--start=$start" "--goal=$goal" --svg "$picture"
+  "--start=${start[0]},${start[1]},${start[2]}" "--goal=${goals[0]}" --svg "$picture"
 echo "The plan: $picture"
 if command -v rsvg-convert >/dev/null; then
   rsvg-convert --width 1600 "$picture" --output "${picture%.svg}.png"
   echo "          ${picture%.svg}.png"
 fi
 
-# X,Y,YAW as a geometry_msgs/Pose
-pose()
+# The first port on which nobody listens: not the master of a robot, nor what an earlier demo has left.
+free_port()
 {
-  awk -F, '{ printf "{position: {x: %s, y: %s}, orientation: {z: %.9f, w: %.9f}}", $1, $2, sin($3 / 2), cos($3 / 2) }' <<<"$1"
+  local port=11411
+  while (exec 3<>"/dev/tcp/localhost/$port") 2>/dev/null; do ((++port)); done
+  echo "$port"
 }
 
-show_in_rviz()
+launch=
+tour=
+end()
 {
-  set +u
-  source "$build/devel/setup.bash"
-  set -u
-  roslaunch fourwis_navigation plan.launch "${map[0]}:=${map[1]}" "robot:=$robot" &
-  local launch=$!
-  trap 'kill "$launch" 2>/dev/null; wait "$launch"' EXIT
-  trap 'exit 130' INT TERM
-  until timeout --foreground 5 rostopic echo -n 1 /move_base/planner_status >/dev/null 2>&1; do
-    kill -0 "$launch" || return 1
-    sleep 0.5
-  done
-  rostopic pub -1 /initialpose geometry_msgs/PoseWithCovarianceStamped \
-    "{header: {frame_id: map}, pose: {pose: $(pose "$start")}}"
-  rostopic pub -1 /move_base_simple/goal geometry_msgs/PoseStamped "{header: {frame_id: map}, pose: $(pose "$goal")}"
-  echo "Set another start with '2D Pose Estimate', another goal with '2D Nav Goal'; Ctrl-C ends the demo."
+  trap '' INT TERM
+  kill $tour $launch 2>/dev/null || true
+  wait
+}
+trap end EXIT
+trap 'exit 130' INT TERM
+
+set +u
+source "$build/devel/setup.bash"
+set -u
+port=$(free_port)
+export ROS_MASTER_URI=http://localhost:$port ROS_HOME=$build/ros_home
+roslaunch --port "$port" fourwis_navigation simulation.launch "${map[0]}:=${map[1]}" "robot:=$robot" \
+  "x:=${start[0]}" "y:=${start[1]}" "yaw:=${start[2]}" "rviz:=$rviz" "real_time_factor:=$speed" >"$log" 2>&1 &
+launch=$!
+
+echo
+"$root/scripts/drive_tour.py" "${goals[@]}" &
+tour=$!
+# Whichever ends first; the tour's own end is a good one only when it says so, the launch's never is.
+if ! wait -n || kill -0 "$tour" 2>/dev/null; then
+  echo "The tour ended early; what the nodes say: $log" >&2
+  exit 1
+fi
+if [[ $rviz == true ]]; then
+  echo "Send it elsewhere with '2D Nav Goal'; Ctrl-C ends the demo."
   echo "(For other terminals: export ROS_MASTER_URI=$ROS_MASTER_URI)"
   wait "$launch"
-}
-
-if [[ -n $display ]]; then
-  show_in_rviz
-else
-  echo "There is no display for rviz."
 fi

@@ -126,7 +126,7 @@ void add_ramps(SdoScript& script, const AxisScale& scale, double speed, double a
 
 void add_travel(SdoScript& script, const AxisScale& scale, double max_angle)
 {
-  const auto [least, greatest] = std::minmax(scale.to_counts(-max_angle), scale.to_counts(max_angle));
+  const auto [least, greatest] = std::minmax({scale.to_counts(-max_angle), scale.to_counts(max_angle)});
   script.push_back(write_if_there({0x607D, 1}, static_cast<std::uint32_t>(least), 4));
   script.push_back(write_if_there({0x607D, 2}, static_cast<std::uint32_t>(greatest), 4));
 }

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 #include "wire_frame.h"
@@ -37,7 +38,17 @@ void set_options(int socket)
   set_option(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, CAN_ERR_MASK);
 }
 
-/// 0 where the interface is there and up, else errno.
+/// The number of the interface, 0 where there is none. Whoever asks for one by name instead, ioctl or if_nametoindex, makes
+/// the kernel start modprobe for a driver of that name when it is missing, each time.
+int index_of(const std::string& interface)
+{
+  const std::unique_ptr<struct if_nameindex, decltype(&if_freenameindex)> all(if_nameindex(), if_freenameindex);
+  const struct if_nameindex* one = all.get();
+  while (one != nullptr && one->if_index != 0 && interface != one->if_name) ++one;
+  return one != nullptr ? static_cast<int>(one->if_index) : 0;
+}
+
+/// 0 where the interface, which is there, is up, else errno.
 int interface_error(int socket, const std::string& interface)
 {
   ifreq request{};
@@ -48,12 +59,11 @@ int interface_error(int socket, const std::string& interface)
 
 /// 0 when the socket belongs to the interface, else errno. Binding to an interface that went down meanwhile succeeds
 /// with an error to be fetched.
-int bind_error(int socket, const std::string& interface)
+int bind_error(int socket, int index)
 {
   sockaddr_can address{};
   address.can_family = AF_CAN;
-  address.can_ifindex = static_cast<int>(if_nametoindex(interface.c_str()));
-  if (address.can_ifindex == 0) return errno;
+  address.can_ifindex = index;
   if (bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return errno;
   int pending = 0;
   socklen_t size = sizeof pending;
@@ -139,9 +149,11 @@ void SocketCanBus::open()
 {
   FileDescriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   if (!socket) return go_down(errno);
+  const int index = index_of(interface_);
+  if (index == 0) return go_down(ENODEV);
   if (const int error = interface_error(socket.get(), interface_)) return go_down(error);
   set_options(socket.get());
-  if (const int error = bind_error(socket.get(), interface_)) return go_down(error);
+  if (const int error = bind_error(socket.get(), index)) return go_down(error);
   socket_ = std::move(socket);
   overflowed_ = 0;
   error_.clear();

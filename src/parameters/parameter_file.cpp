@@ -125,4 +125,9 @@ SimulatorOptions read_simulator_file(const std::string& path)
   return from_file(path, simulator_options_from);
 }
 
+can::BridgeOptions read_bridge_file(const std::string& path)
+{
+  return from_file(path, bridge_options_from);
+}
+
 }  // namespace fourwis

@@ -30,6 +30,21 @@ std::string join(const std::vector<std::string>& words)
   throw ConfigError("parameter '" + key + "' is " + text_of(value) + ", expected " + expected);
 }
 
+void assign_text(const std::string& key, const ParameterValue& value, std::string& target)
+{
+  const std::string* text = std::get_if<std::string>(&value);
+  if (!text || text->empty()) refuse(key, value, "a word");
+  target = *text;
+}
+
+void assign_choice(const std::string& key, const ParameterValue& value, const Choice& choice)
+{
+  const std::string* word = std::get_if<std::string>(&value);
+  const auto found = word ? std::find(choice.words.begin(), choice.words.end(), *word) : choice.words.end();
+  if (found == choice.words.end()) refuse(key, value, "one of " + join(choice.words));
+  choice.choose(static_cast<std::size_t>(found - choice.words.begin()));
+}
+
 }  // namespace
 
 void check_keys(const std::vector<std::string>& keys, const ParameterMap& parameters)
@@ -53,6 +68,9 @@ void assign(const std::string& key, const ParameterValue& value, double min, dou
     **flag = std::get<bool>(value);
     return;
   }
+
+  if (std::string* const* text = std::get_if<std::string*>(&slot)) return assign_text(key, value, **text);
+  if (const Choice* choice = std::get_if<Choice>(&slot)) return assign_choice(key, value, *choice);
 
   const bool whole = std::holds_alternative<int*>(slot);
   std::ostringstream expected;

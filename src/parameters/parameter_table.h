@@ -10,8 +10,15 @@
 namespace fourwis
 {
 
+/// A parameter that is one of a few words.
+struct Choice
+{
+  std::vector<std::string> words;
+  std::function<void(std::size_t)> choose;  ///< takes the position of the word
+};
+
 /// The member that a parameter sets.
-using Slot = std::variant<bool*, int*, double*>;
+using Slot = std::variant<bool*, int*, double*, std::string*, Choice>;
 
 /// One key of a configuration file and the member of Options it sets.
 template <class Options>
@@ -19,7 +26,7 @@ struct Parameter
 {
   std::string key;
   std::function<Slot(Options&)> slot;
-  double min = 0.0, max = 1.0;  ///< least and greatest value allowed; not used for bool
+  double min = 0.0, max = 1.0;  ///< least and greatest value allowed, of numbers
   std::string unit = "";        ///< as it appears in error texts
 };
 

@@ -2,30 +2,14 @@
 
 #include <algorithm>
 
+#include "fourwis_navigation/ros/tracking_marker.h"
+
 namespace fourwis
 {
 
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 using fourwis_navigation::Tracking;
-
-namespace
-{
-
-const char* name_of(std::uint8_t state)
-{
-  switch (state)
-  {
-    case Tracking::IDLE: return "no trajectory";
-    case Tracking::ALIGNING: return "turning the wheels";
-    case Tracking::DRIVING: return "driving";
-    case Tracking::STOPPING: return "stopping";
-    case Tracking::ARRIVED: return "arrived";
-    default: return "gave up";
-  }
-}
-
-}  // namespace
 
 ControllerDiagnostics::ControllerDiagnostics()
 {

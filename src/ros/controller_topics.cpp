@@ -5,6 +5,7 @@
 #include <ros/console.h>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/ros/tracking_marker.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
@@ -14,8 +15,8 @@ namespace
 
 using fourwis_navigation::Tracking;
 
-/// The eye wants no more of the prediction.
-const ros::Duration kPredictionPeriod(0.1);
+/// The eye wants no more of prediction and marker.
+const ros::Duration kPicturePeriod(0.1);
 
 }  // namespace
 
@@ -39,12 +40,13 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
 }
 
 ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options)
-  : robot_(robot), global_frame_(options.global_frame)
+  : robot_(robot), global_frame_(options.global_frame), robot_base_frame_(options.robot_base_frame)
 {
   ros::NodeHandle node, private_node("~");
   wheel_commands_ = node.advertise<fourwis_navigation::WheelCommands>("wheel_commands", 1);
   cmd_vel_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   tracking_ = private_node.advertise<Tracking>("tracking", 100);
+  marker_ = private_node.advertise<visualization_msgs::Marker>("marker", 1);
   predicted_path_ = private_node.advertise<nav_msgs::Path>("predicted_path", 1);
 }
 
@@ -54,7 +56,10 @@ void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking
   wheel_commands_.publish(to_message(output.command, step.stamp));
   cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
   tracking_.publish(tracking);
-  if (step.stamp < predicted_ || step.stamp - predicted_ >= kPredictionPeriod) publish_prediction(step.stamp, prediction);
+  if (step.stamp >= shown_ && step.stamp - shown_ < kPicturePeriod) return;
+  shown_ = step.stamp;
+  marker_.publish(tracking_marker(tracking, robot_base_frame_));
+  publish_prediction(step.stamp, prediction);
 }
 
 void ControllerTopics::publish_refusal(const ros::Time& trajectory, const std::string& message)
@@ -71,7 +76,6 @@ void ControllerTopics::publish_refusal(const ros::Time& trajectory, const std::s
 
 void ControllerTopics::publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction)
 {
-  predicted_ = stamp;
   nav_msgs::Path path;
   path.header.stamp = stamp;
   path.header.frame_id = global_frame_;

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -41,10 +42,19 @@ inline ParameterMap with(ParameterMap parameters, const std::string& key, const 
   return parameters;
 }
 
+/// Any word, but of a key that knows few words another one of these.
+inline std::string another_word(const std::string& word)
+{
+  static const std::map<std::string, std::string> known = {{"cia402", "ranger"}, {"cyclic", "profile"}};
+  const auto found = known.find(word);
+  return found == known.end() ? word + "x" : found->second;
+}
+
 /// A value the key does not have in the shipped file but could.
 inline ParameterValue another(const ParameterValue& value)
 {
   if (const bool* flag = std::get_if<bool>(&value)) return !*flag;
+  if (const std::string* word = std::get_if<std::string>(&value)) return another_word(*word);
   const double number = std::get<double>(value);
   if (number == 0.0) return 0.05;
   if (number == 1.0) return 2.0;
@@ -144,6 +154,12 @@ TYPED_TEST_P(ParameterLaws, WrongTypeIsRefusedByNameAndValue)
   const ParameterMap shipped = read_parameter_file(subject.file);
   for (const auto& [key, value] : shipped)
   {
+    if (std::holds_alternative<std::string>(value))
+    {
+      const std::string text = complaint(subject.read, with(shipped, key, 1.0));
+      EXPECT_TRUE(contains(text, "'" + key + "' is 1, expected ")) << text;
+      continue;
+    }
     const bool flag = std::holds_alternative<bool>(value);
     const std::string swapped = complaint(subject.read, with(shipped, key, flag ? ParameterValue(1.0) : true));
     EXPECT_TRUE(contains(swapped, "'" + key + (flag ? "' is 1, expected true or false" : "' is true, expected a ")))

@@ -1,52 +1,64 @@
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
+#include "../can/temporary_directory.h"
+#include "command.h"
+
 namespace fourwis::can
 {
 
-/// candump of can-utils, which watches vcan0 for error frames as well.
+/// candump of can-utils, which watches an interface, error frames included.
 class Candump
 {
 public:
-  /// Returns when it listens. It stops after `frames` frames, or 20 s without any.
-  explicit Candump(int frames)
+  /// Returns when it listens.
+  explicit Candump(const std::string& interface = "vcan0") : interface_(interface)
   {
     const std::ptrdiff_t before = listeners();
-    const std::string count = std::to_string(frames);
-    pipe_ = popen(("exec candump -L -n " + count + " -T 20000 vcan0,0:0,#FFFFFFFF 2>&1").c_str(), "r");
-    while (pipe_ != nullptr && listeners() == before && std::feof(pipe_) == 0) continue;
+    process_ = fork();
+    if (process_ == 0) become_candump();
+    while (listeners() == before && is_alive()) continue;
   }
-  ~Candump()
-  {
-    if (pipe_ != nullptr) pclose(pipe_);
-  }
+  ~Candump() { end(); }
   Candump(const Candump&) = delete;
   Candump& operator=(const Candump&) = delete;
 
-  /// What it has seen when it stops, without times and interface: ID#DATA.
+  /// All it has seen, without times and interface: ID#DATA. It ends with this.
   std::vector<std::string> frames()
   {
-    std::vector<std::string> seen;
-    char line[128];
-    while (std::fgets(line, sizeof line, pipe_) != nullptr)
-    {
-      const std::string text = line;
-      const std::size_t begin = text.find(" vcan0 ");
-      EXPECT_NE(begin, std::string::npos) << text;
-      if (begin != std::string::npos) seen.push_back(text.substr(begin + 7, text.size() - begin - 8));
-    }
+    const std::string last = "1FFFFFFE#";
+    run("cansend " + interface_ + ' ' + last);
+    std::vector<std::string> seen = lines();
+    while ((seen.empty() || seen.back() != last) && is_alive()) seen = lines();
+    end();
+    EXPECT_TRUE(!seen.empty() && seen.back() == last) << "candump died";
+    if (!seen.empty()) seen.pop_back();
     return seen;
   }
 
 private:
+  std::string file() const { return directory_.path() + "/frames"; }
+
+  [[noreturn]] void become_candump() const
+  {
+    const int output = open(file().c_str(), O_CREAT | O_WRONLY, 0600);
+    dup2(output, STDOUT_FILENO);
+    execlp("candump", "candump", "-L", "-D", "-r", "4194304", (interface_ + ",0:0,#FFFFFFFF").c_str(), nullptr);
+    _exit(127);
+  }
+
   /// Who listens to all frames of the machine's interfaces.
   static std::ptrdiff_t listeners()
   {
@@ -54,7 +66,33 @@ private:
     return std::count(std::istreambuf_iterator<char>(list), {}, '\n');
   }
 
-  std::FILE* pipe_;
+  /// What has been written so far, in whole lines "(time) interface ID#DATA".
+  std::vector<std::string> lines() const
+  {
+    std::vector<std::string> seen;
+    std::ifstream output(file());
+    for (std::string line; std::getline(output, line) && !output.eof();)
+      seen.push_back(line.substr(line.find_last_of(' ') + 1));
+    return seen;
+  }
+
+  bool is_alive()
+  {
+    if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) != 0) process_ = -1;
+    return process_ > 0;
+  }
+
+  void end()
+  {
+    if (!is_alive()) return;
+    kill(process_, SIGINT);
+    waitpid(process_, nullptr, 0);
+    process_ = -1;
+  }
+
+  TemporaryDirectory directory_;
+  std::string interface_;
+  pid_t process_ = -1;
 };
 
 }  // namespace fourwis::can

@@ -52,6 +52,14 @@ inline AxisOptions axis(int node, double gear_ratio)
   return options;
 }
 
+/// What differs between the bases that speak the Ranger protocol.
+struct RangerOptions
+{
+  std::array<int, kWheels> place = {1, 2, 3, 4};  ///< of each of our wheels among the base's four, from 1
+  int side_slip_mode = 4;      ///< its number for side-slip; 3 on the Mini V1
+  bool spin_by_speed = false;  ///< spin is commanded as the wheels' speed in the lateral field; Mini V2
+};
+
 /// The base and how it is driven; the keys of config/can_bridge.yaml. What the wheels can do is in Robot: travel, steering
 /// rate, speed.
 struct BridgeOptions
@@ -70,7 +78,9 @@ struct BridgeOptions
   double vendor_id = 0.0;      ///< that every drive must have (1018:1); 0: any
   double product_code = 0.0;   ///< that every drive must have (1018:2); 0: any
   bool homing = false;         ///< steering drives find their zero before the first motion after a start
-  int homing_method = 35;      ///< 6098; 35: where it is, is zero
+  int homing_method = 35;      ///< object 6098; 35: where it is, is zero
+
+  RangerOptions ranger;        ///< for Protocol::ranger
 
   // Motion.
   double max_acceleration = 12.0;    ///< of a wheel; the fastest wheel is faster than the centre [m/s^2]

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "fourwis_navigation/can/bridge_options.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "fourwis_navigation/sim/simulator_options.h"
@@ -40,10 +41,14 @@ TrackOptions track_options_from(const ParameterMap& parameters);
 /// Likewise for `config/simulator.yaml` and SimulatorOptions.
 SimulatorOptions simulator_options_from(const ParameterMap& parameters);
 
+/// Likewise for `config/can_bridge.yaml` and BridgeOptions. Whether the options fit together, Bridge says.
+can::BridgeOptions bridge_options_from(const ParameterMap& parameters);
+
 /// Both steps for a file; every ConfigError also names the file.
 Robot read_robot_file(const std::string& path);
 PlannerOptions read_planner_file(const std::string& path);
 TrackOptions read_track_file(const std::string& path);
 SimulatorOptions read_simulator_file(const std::string& path);
+can::BridgeOptions read_bridge_file(const std::string& path);
 
 }  // namespace fourwis

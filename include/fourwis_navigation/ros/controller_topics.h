@@ -31,9 +31,9 @@ private:
   void publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction);
 
   const Robot robot_;
-  const std::string global_frame_;
-  ros::Time predicted_;  ///< when the prediction was published last
-  ros::Publisher wheel_commands_, cmd_vel_, tracking_, predicted_path_;
+  const std::string global_frame_, robot_base_frame_;
+  ros::Time shown_;  ///< when prediction and marker were published last
+  ros::Publisher wheel_commands_, cmd_vel_, tracking_, predicted_path_, marker_;
 };
 
 /// What `~tracking` says of a step.

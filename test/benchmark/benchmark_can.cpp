@@ -1,0 +1,68 @@
+#include <boost/program_options.hpp>
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "can_latency.h"
+#include "statistics.h"
+#include "table.h"
+
+namespace po = boost::program_options;
+
+namespace fourwis::benchmark
+{
+namespace
+{
+
+void report_latencies(const Report& report, const std::vector<std::string>& buses, int commands)
+{
+  report.title("From a callback with a command to its frames in the kernel");
+  Table table({"bus", "commands", "frames each", "p50 us", "p99 us", "worst us", "priority"});
+  for (const std::string& bus : buses)
+  {
+    const CanLatency latency = measure_can_latency(bus, commands);
+    table.add({bus, std::to_string(latency.microseconds.size()), fixed(median(latency.frames), 0),
+               fixed(median(latency.microseconds), 0), fixed(quantile(latency.microseconds, 0.99), 0),
+               fixed(worst(latency.microseconds), 0), latency.real_time ? "real-time" : "normal"});
+  }
+  report.table(table);
+}
+
+int run(int argc, char** argv)
+{
+  po::options_description options("Measures the bridge's way from a command to the bus. Options");
+  auto add = options.add_options();
+  add("help,h", "this text");
+  add("bus", po::value<std::vector<std::string>>()->composing(), "unix:NAME (default) or a SocketCAN interface; may be repeated");
+  add("commands", po::value<int>()->default_value(1000), "so many, 50 a second");
+  add("markdown", "tables as Markdown");
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(options).positional({}).run(), given);
+  po::notify(given);
+  if (given.count("help"))
+    std::cout << options;
+  else
+    report_latencies({std::cout, given.count("markdown") > 0},
+                     given.count("bus") ? given["bus"].as<std::vector<std::string>>() : std::vector<std::string>{"unix:benchmark"},
+                     given["commands"].as<int>());
+  return 0;
+}
+
+}  // namespace
+}  // namespace fourwis::benchmark
+
+/// Prints a table. Exit status 0, or 2 with a line on the standard error when there is nothing to measure.
+int main(int argc, char** argv)
+{
+  try
+  {
+    return fourwis::benchmark::run(argc, argv);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "benchmark_can: " << error.what() << '\n';
+    return 2;
+  }
+}
