@@ -20,8 +20,14 @@ ocp::Options solver_options(bool warm)
   options.tolerance = 1e-5;
   options.acceptable_tolerance = 1e-3;
   options.max_iterations = 30;
-  options.initial_barrier = warm ? 1e-3 : 1e-2;
+  options.initial_barrier = warm ? 1e-3 : 1.0;
   return options;
+}
+
+template <class Solution>
+bool is_usable(const Solution& solution)
+{
+  return solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
 }
 
 }  // namespace
@@ -69,8 +75,8 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   for (std::size_t k = 0; k < count; ++k) horizon_.intervals[k].h = times_[k + 1] - times_[k];
 
   problem_.reset(options.knots);
-  cold_.states.assign(count + 1, ErrorState::Zero());
-  cold_.controls.assign(count, ErrorInput::Zero());
+  hold_.states.assign(count + 1, ErrorState::Zero());
+  hold_.controls.assign(count, ErrorInput::Zero());
   knots_.resize(count + 1);
   prediction_.resize(count + 1);
 }
@@ -128,19 +134,43 @@ MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& st
   for (int k = 0; k < problem_.intervals(); ++k) set_interval(reference, t, k);
   problem_.initial_state = error_model_.error(start, knots_.front().state);
 
-  const auto& solution = solver_.solve(horizon_, problem_, warm_ ? solver_.solution().trajectory : cold_,
-                                       solver_options(warm_), warm_ ? &solver_.solution().multipliers : nullptr);
+  const auto* solution = &(warm_ ? solve_warm() : solve_cold());
+  if (warm_ && !is_usable(*solution)) solution = &solve_cold();
   MpcAnswer answer;
-  answer.iterations = solution.statistics.iterations;
-  answer.usable = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
-  warm_ = answer.usable;
-  if (!answer.usable) return answer;
+  answer.iterations = solution->statistics.iterations;
+  answer.usable = warm_ = is_usable(*solution);
+  if (answer.usable) take(*solution, answer);
+  return answer;
+}
+
+/// From the last solution, as it is: a control step later little has changed.
+auto Mpc::solve_warm() -> const Solution&
+{
+  return solver_.solve(horizon_, problem_, solver_.solution().trajectory, solver_options(true),
+                       &solver_.solution().multipliers);
+}
+
+/// From a robot that keeps v and phi, which keeps all bounds.
+auto Mpc::solve_cold() -> const Solution&
+{
+  hold_.states.front() = problem_.initial_state;
+  for (std::size_t k = 0; k < hold_.controls.size(); ++k)
+  {
+    const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
+    hold_.controls[k] = ErrorInput(from.v - to.v, from.phi - to.phi) / horizon_.intervals[k].h;
+    hold_.states[k + 1] = horizon_.intervals[k].jacobian.leftCols<5>() * hold_.states[k] +
+                          horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
+  }
+  return solver_.solve(horizon_, problem_, hold_, solver_options(false));
+}
+
+void Mpc::take(const Solution& solution, MpcAnswer& answer)
+{
   const MotionState &from = knots_[0].state, &to = knots_[1].state;
   answer.input = {(to.v - from.v) / times_[1] + solution.trajectory.controls.front()[0],
                   (to.phi - from.phi) / times_[1] + solution.trajectory.controls.front()[1]};
   for (std::size_t k = 0; k < knots_.size(); ++k)
     prediction_[k] = error_model_.pose(solution.trajectory.states[k], knots_[k].state);
-  return answer;
 }
 
 }  // namespace fourwis

@@ -56,13 +56,23 @@ public:
   /// From `state` at time t of the trajectory.
   MpcAnswer solve(const Reference& reference, double t, const MotionState& state);
 
+  /// The problem of the last step and its solution, for whoever wants to judge them.
+  const HorizonModel& horizon() const { return horizon_; }
+  const ocp::Problem<5, 2>& problem() const { return problem_; }
+  const ocp::Trajectory<5, 2>& solution() const { return solver_.solution().trajectory; }
+
   /// Where the last answer expects the robot, one pose a knot.
   const std::vector<Pose>& prediction() const { return prediction_; }
 
 private:
+  using Solution = ocp::Solver<HorizonModel>::Solution;
+
   MotionState within_bounds(const MotionState& state) const;
   void set_state_bounds(int k, double v);
   void set_interval(const Reference& reference, double t, int k);
+  const Solution& solve_warm();
+  const Solution& solve_cold();
+  void take(const Solution& solution, MpcAnswer& answer);
 
   const Robot robot_;
   std::vector<double> times_;  ///< of the knots, from the beginning of the horizon [s]
@@ -70,7 +80,7 @@ private:
   SteeringRange steering_{0.0, 0.0};
   HorizonModel horizon_;
   ocp::Problem<5, 2> problem_;
-  ocp::Trajectory<5, 2> cold_;  ///< no deviation
+  ocp::Trajectory<5, 2> hold_;  ///< the guess without a better one
   ocp::Solver<HorizonModel> solver_;
   std::vector<ReferencePoint> knots_;
   std::vector<Pose> prediction_;

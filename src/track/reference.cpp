@@ -18,11 +18,9 @@ MotionState state_of(const TrajectoryPoint& point)
   return {point.pose(), point.v, point.phi};
 }
 
-void shift(TrajectoryPoint& point, const Pose& by, double share)
+Pose drifted(const Pose& pose, const Pose& drift, double time)
 {
-  point.x += share * by.x;
-  point.y += share * by.y;
-  point.theta += share * by.theta;
+  return {pose.x + time * drift.x, pose.y + time * drift.y, pose.theta + time * drift.theta};
 }
 
 }  // namespace
@@ -34,7 +32,7 @@ Reference::Reference(const Robot& robot, const TrajectoryPoint* first, const Tra
 
 void Reference::assign(const TrajectoryPoint* first, const TrajectoryPoint* end)
 {
-  points_.assign(first, first + 1);
+  pieces_.assign(1, {*first, {}});
   for (const TrajectoryPoint* point = first; point + 1 < end; ++point) add_interval(point[0], point[1]);
   const auto [least, greatest] = std::minmax_element(
     first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
@@ -45,22 +43,31 @@ void Reference::assign(const TrajectoryPoint* first, const TrajectoryPoint* end)
 /// Appends everything after `from`, the last point so far, up to `to`.
 void Reference::add_interval(const TrajectoryPoint& from, const TrajectoryPoint& to)
 {
-  const int parts = std::max(1, static_cast<int>(std::ceil((to.t - from.t) / kSpacing)));
-  const double h = (to.t - from.t) / parts;
-  const MotionInput input = {(to.v - from.v) / (to.t - from.t), (to.phi - from.phi) / (to.t - from.t)};
-  points_.back().a = input.a;
-  points_.back().omega = input.omega;
-  const std::size_t begin = points_.size();
+  const double duration = to.t - from.t;
+  const int parts = std::max(1, static_cast<int>(std::ceil(duration / kSpacing)));
+  const MotionInput input = {(to.v - from.v) / duration, (to.phi - from.phi) / duration};
+  const std::size_t begin = pieces_.size() - 1;
   MotionState exact = state_of(from);
-  for (int i = 1; i <= parts; ++i)
+  for (int i = 0; i < parts; ++i)
   {
-    exact = roll_out(robot_, from.mode, exact, input, h);
-    points_.push_back({from.t + i * h, from.mode, exact.pose.x, exact.pose.y, exact.pose.theta, exact.v, exact.phi,
-                       input.a, input.omega});
+    const TrajectoryPoint point = {from.t + i * duration / parts, from.mode, exact.pose.x, exact.pose.y, exact.pose.theta,
+                                   exact.v, exact.phi, input.a, input.omega};
+    if (i == 0)
+      pieces_.back().point = point;
+    else
+      pieces_.push_back({point, {}});
+    exact = roll_out(robot_, from.mode, exact, input, duration / parts);
   }
-  const Pose miss = {to.x - exact.pose.x, to.y - exact.pose.y, to.theta - exact.pose.theta};
-  for (int i = 1; i < parts; ++i) shift(points_[begin + static_cast<std::size_t>(i - 1)], miss, double(i) / parts);
-  points_.back() = to;
+  const Pose drift = {(to.x - exact.pose.x) / duration, (to.y - exact.pose.y) / duration,
+                      (to.theta - exact.pose.theta) / duration};
+  for (std::size_t k = begin; k < pieces_.size(); ++k)
+  {
+    TrajectoryPoint& point = pieces_[k].point;
+    const Pose pose = drifted(point.pose(), drift, point.t - from.t);
+    point.x = pose.x, point.y = pose.y, point.theta = pose.theta;
+    pieces_[k].drift = drift;
+  }
+  pieces_.push_back({to, {}});
 }
 
 ReferencePoint Reference::at_rest(const TrajectoryPoint& point) const
@@ -70,13 +77,16 @@ ReferencePoint Reference::at_rest(const TrajectoryPoint& point) const
 
 ReferencePoint Reference::at(double t) const
 {
-  if (!(t > start_time())) return at_rest(points_.front());
-  if (t >= end_time()) return at_rest(points_.back());
-  const auto next = std::upper_bound(points_.begin(), points_.end(), t,
-                                     [](double time, const TrajectoryPoint& point) { return time < point.t; });
-  const TrajectoryPoint& point = *std::prev(next);
-  const MotionInput input = {point.a, point.omega};
-  return {roll_out(robot_, point.mode, state_of(point), input, t - point.t), input};
+  if (!(t > start_time())) return at_rest(pieces_.front().point);
+  if (t >= end_time()) return at_rest(pieces_.back().point);
+  const auto next = std::upper_bound(pieces_.begin(), pieces_.end(), t,
+                                     [](double time, const Piece& piece) { return time < piece.point.t; });
+  const Piece& piece = *std::prev(next);
+  const double time = t - piece.point.t;
+  const MotionInput input = {piece.point.a, piece.point.omega};
+  ReferencePoint found = {roll_out(robot_, piece.point.mode, state_of(piece.point), input, time), input};
+  found.state.pose = drifted(found.state.pose, piece.drift, time);
+  return found;
 }
 
 }  // namespace fourwis

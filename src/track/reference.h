@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
 #include "motion_state.h"
@@ -27,27 +29,35 @@ public:
   void assign(const TrajectoryPoint* first, const TrajectoryPoint* end);
 
   /// Room for a stretch of that many points, 20 ms apart.
-  void reserve(std::size_t points) { points_.reserve(points); }
+  void reserve(std::size_t points) { pieces_.reserve(points); }
 
-  Mode mode() const { return points_.front().mode; }
-  double start_time() const { return points_.front().t; }
-  double end_time() const { return points_.back().t; }
-  Pose start_pose() const { return points_.front().pose(); }
-  Pose end_pose() const { return points_.back().pose(); }
+  Mode mode() const { return pieces_.front().point.mode; }
+  double start_time() const { return pieces_.front().point.t; }
+  double end_time() const { return pieces_.back().point.t; }
+  Pose start_pose() const { return pieces_.front().point.pose(); }
+  Pose end_pose() const { return pieces_.back().point.pose(); }
 
   /// At time t of the trajectory. Time logarithmic in the number of points.
   ReferencePoint at(double t) const;
 
-  double start_phi() const { return points_.front().phi; }
+  double start_phi() const { return pieces_.front().point.phi; }
   double least_phi() const { return least_phi_; }
   double greatest_phi() const { return greatest_phi_; }
 
 private:
+  /// A point, so close to the next that a roll-out between them is as good as exact, and how fast that roll-out has to drift
+  /// aside to meet the next.
+  struct Piece
+  {
+    TrajectoryPoint point;
+    Pose drift;  ///< [m/s], [rad/s]
+  };
+
   void add_interval(const TrajectoryPoint& from, const TrajectoryPoint& to);
   ReferencePoint at_rest(const TrajectoryPoint& point) const;
 
   Robot robot_;
-  Trajectory points_;  ///< so close together that a roll-out between them is as good as exact
+  std::vector<Piece> pieces_;
   double least_phi_, greatest_phi_;
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <exception>
 #include <iostream>
@@ -25,15 +26,31 @@ Circumstances adverse(Circumstances circumstances)
   return circumstances;
 }
 
+/// One thing at a time that the tracker does not know of, or that it is asked for.
+std::vector<Variation> variations(const Circumstances& usual)
+{
+  std::vector<Variation> all;
+  const auto vary = [&](const std::string& name) -> Circumstances& { return all.emplace_back(Variation{name, usual}).circumstances; };
+  vary("20 Hz").track.controller_frequency = 20.0;
+  vary("60 ms latency, 20 ms expected").simulator.command_latency = 0.06;
+  vary("lags twice as long as expected").simulator.actuators = {0.04, 0.06, 12.0};
+  vary("3 % slip").simulator.slip.drive_slip = 0.03;
+  vary("slip angle 0.01 rad at 1 m/s^2").simulator.slip.lateral_slip = 0.01;
+  vary("localisation noise 5 mm, 0.3 deg").localisation = {0.0, 0.005, 0.005};
+  vary("pose 60 ms old").localisation.delay = 0.06;
+  return all;
+}
+
 void run(const Setup& setup, bool markdown)
 {
   const Report report{std::cout, markdown};
   const auto environments = plan_environments(setup, read_problems(kEnvironments));
   Circumstances nominal;
   nominal.robot = setup.robot;
-  report_tracking(report, nominal, setup.runs, "Tracking on the simulated base", environments, true);
+  report_tracking(report, nominal, setup.runs, "Tracking on the simulated base", environments);
   report_tracking(report, adverse(nominal), setup.runs,
-                  "Tracking with 60 ms latency, 3 % slip, encoder and localisation noise", environments, false);
+                  "Tracking with 60 ms latency, 3 % slip, encoder and localisation noise", environments);
+  report_variations(report, variations(nominal), std::max(1, setup.runs / 5), environments);
   report_pushes(report, nominal, setup.runs, environments);
 }
 

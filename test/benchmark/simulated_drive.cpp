@@ -1,6 +1,5 @@
 #include "simulated_drive.h"
 
-#include <chrono>
 #include <cmath>
 #include <deque>
 
@@ -73,9 +72,9 @@ private:
   bool step()
   {
     const TrackInput known = input();
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = cpu_ms();
     const TrackOutput output = tracker_.step(known);
-    const double ms = ms_since(begin);
+    const double ms = cpu_ms() - begin;
     result_.state = output.state;
     result_.message = output.message;
     if (output.state == TrackState::driving) observe(output, ms);

@@ -46,7 +46,7 @@ struct DriveResult
   std::vector<double> lateral, longitudinal, heading;  ///< absolute [m, m, rad]
   double terminal_position = 0.0, terminal_heading = 0.0;  ///< [m, rad]
   double driving = 0.0, aligning = 0.0;                  ///< time spent [s]
-  std::vector<double> step_ms;                           ///< of control steps while driving, wall clock
+  std::vector<double> step_ms;                           ///< of control steps while driving, CPU time
   bool collided = false;  ///< the exact footprint met an obstacle cell
 };
 

@@ -42,6 +42,12 @@ struct Drives
   }
 };
 
+void drive_all(const Circumstances& circumstances, const PlannedEnvironment& environment, int seeds, Drives& drives)
+{
+  for (int seed = 1; seed <= seeds; ++seed)
+    drives.add(simulate(circumstances, environment.trajectory, &environment.grid, seed));
+}
+
 std::string of(int part, int whole)
 {
   return std::to_string(part) + "/" + std::to_string(whole);
@@ -114,22 +120,41 @@ std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std:
 }
 
 void report_tracking(const Report& report, const Circumstances& circumstances, int seeds, const std::string& title,
-                     const std::vector<PlannedEnvironment>& environments, bool beside_paper)
+                     const std::vector<PlannedEnvironment>& environments)
 {
   Table table(kHeader);
   std::string messages;
   for (const PlannedEnvironment& environment : environments)
   {
     Drives drives;
-    for (int seed = 1; seed <= seeds; ++seed)
-      drives.add(simulate(circumstances, environment.trajectory, &environment.grid, seed));
+    drive_all(circumstances, environment, seeds, drives);
     table.add(row(environment, drives));
     if (!drives.message.empty()) messages += " " + environment.id + ": " + drives.message + ".";
   }
-  if (beside_paper) table.add(paper_row());
+  table.add(paper_row());
   report.title(title);
   report.table(table);
   if (!messages.empty()) report.line("Not arrived, for example:" + messages);
+}
+
+void report_variations(const Report& report, const std::vector<Variation>& variations, int seeds,
+                       const std::vector<PlannedEnvironment>& environments)
+{
+  Table table({"what differs", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg"});
+  for (const Variation& variation : variations)
+  {
+    Drives drives;
+    for (const PlannedEnvironment& environment : environments)
+      drive_all(variation.circumstances, environment, seeds, drives);
+    table.add({variation.name, of(drives.arrived, drives.count), std::to_string(drives.collided),
+               fixed(1e3 * mean(drives.lateral), 2), fixed(1e3 * worst(drives.lateral), 1),
+               fixed(1e3 * mean(drives.longitudinal), 2), fixed(1e3 * worst(drives.longitudinal), 1),
+               fixed(1e3 * worst(drives.terminal_position), 1),
+               fixed(180.0 / M_PI * worst(drives.terminal_heading), 2)});
+    if (!drives.message.empty()) report.line(variation.name + ": " + drives.message);
+  }
+  report.title("Tracking where something differs, all environments");
+  report.table(table);
 }
 
 void report_pushes(const Report& report, const Circumstances& circumstances, int seeds,

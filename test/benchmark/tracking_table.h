@@ -22,11 +22,22 @@ struct PlannedEnvironment
 /// Plans each problem once. Throws std::runtime_error where there is no plan.
 std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std::vector<Problem>& problems);
 
-/// One line an environment: errors over all drives of `setup.runs` seeds, and in the last line the paper's where it has them.
+/// One line an environment: errors over the drives of so many seeds, and in the last line the paper's.
 void report_tracking(const Report& report, const Circumstances& circumstances, int seeds, const std::string& title,
-                     const std::vector<PlannedEnvironment>& environments, bool beside_paper);
+                     const std::vector<PlannedEnvironment>& environments);
 
-/// One line an environment: pushes of 0.1 m or 10 degrees to each side at random moments.
+/// A way in which circumstances differ from the usual ones.
+struct Variation
+{
+  std::string name;
+  Circumstances circumstances;
+};
+
+/// One line a variation, over all environments.
+void report_variations(const Report& report, const std::vector<Variation>& variations, int seeds,
+                       const std::vector<PlannedEnvironment>& environments);
+
+/// One line an environment: the robot is pushed by 0.1 m or 10 degrees to either side at a random moment.
 void report_pushes(const Report& report, const Circumstances& circumstances, int seeds,
                    const std::vector<PlannedEnvironment>& environments);
 

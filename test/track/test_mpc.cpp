@@ -1,0 +1,195 @@
+#include "../../src/track/mpc.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "random_stretch.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 43;
+
+/// A controller somewhere on a random stretch, with a robot beside it.
+struct Scene
+{
+  Robot robot;
+  TrackOptions options;
+  Mode mode;
+  Trajectory points;
+  Reference reference;
+  MotionState state;
+  double t;
+
+  Scene(Random& random, double size)
+    : mode(random.mode()), points(random_stretch(random, robot, mode)),
+      reference(robot, points.data(), points.data() + points.size()), t(random.between(0.0, 2.0))
+  {
+    state = reference.at(t).state;
+    state.pose = compose(state.pose, {random.between(-size, size), random.between(-size, size), random.between(-size, size)});
+    state.v += random.between(-size, size);
+    state.phi += random.between(-size, size);
+  }
+
+  SteeringRange range() const
+  {
+    return mode == Mode::parallel ? SteeringRange{-2.0, 2.0} : SteeringRange{-robot.max_steering_angle, robot.max_steering_angle};
+  }
+};
+
+/// What the problem's cost is when these inputs are applied.
+double cost(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
+{
+  const HorizonModel& model = mpc.horizon();
+  ErrorState x = mpc.problem().initial_state;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+  {
+    HorizonModel::Value value;
+    model.evaluate(static_cast<int>(k), x, inputs[k], ErrorState::Zero(), value);
+    sum += value.cost;
+    x = value.defect;
+  }
+  return sum + model.terminal_cost(x);
+}
+
+/// Whether they keep the bounds.
+bool is_feasible(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
+{
+  ErrorState x = mpc.problem().initial_state;
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+  {
+    Eigen::Matrix<double, 7, 1> z;
+    z << x, inputs[k];
+    const auto& bounds = mpc.problem().bounds[k];
+    const int first = k == 0 ? 5 : 0;  // the initial state is what it is
+    if ((z - bounds.lower).tail(7 - first).minCoeff() < -1e-6) return false;
+    if ((bounds.upper - z).tail(7 - first).minCoeff() < -1e-6) return false;
+    x = mpc.horizon().intervals[k].jacobian * z;
+  }
+  return true;
+}
+
+TEST(Mpc, OnTheReferenceTheAnswerIsTheReference)
+{
+  Random random(kSeed);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    const Scene scene(random, 0.0);
+    Mpc mpc(scene.robot, scene.options);
+    mpc.restart(scene.mode, scene.range());
+    const MpcAnswer answer = mpc.solve(scene.reference, scene.t, scene.state);
+    ASSERT_TRUE(answer.usable);
+    const double h = 1.0 / scene.options.controller_frequency;
+    const MotionState next = scene.reference.at(scene.t + h).state;
+    EXPECT_NEAR(scene.state.v + h * answer.input.a, next.v, 2e-3);
+    EXPECT_NEAR(scene.state.phi + h * answer.input.omega, next.phi, 2e-3);
+    for (std::size_t k = 0; k < mpc.prediction().size(); k += 5)
+      EXPECT_LT(distance(mpc.prediction()[k], scene.reference.at(scene.t + (k == 0 ? 0.0 : h + (1.0 - h) * double(k - 1) / 24)).state.pose), 2e-3);
+  }
+}
+
+/// Without bounds the problem is one of linear least squares in the stacked inputs, which dense algebra solves as well.
+TEST(Mpc, WhereNoBoundIsActiveItIsTheLeastSquaresSolution)
+{
+  Random random(kSeed);
+  int compared = 0;
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    const Scene scene(random, 0.003);
+    Mpc mpc(scene.robot, scene.options);
+    mpc.restart(scene.mode, scene.range());
+    ASSERT_TRUE(mpc.solve(scene.reference, scene.t, scene.state).usable);
+    const std::vector<ErrorInput> zero(mpc.solution().controls.size(), ErrorInput::Zero());
+    // The cost is quadratic: its gradient and Hessian come exactly from values at unit inputs.
+    const int n = 2 * static_cast<int>(zero.size());
+    const auto at = [&](int i, int j) {
+      std::vector<ErrorInput> inputs = zero;
+      if (i >= 0) inputs[static_cast<std::size_t>(i / 2)][i % 2] += 1.0;
+      if (j >= 0) inputs[static_cast<std::size_t>(j / 2)][j % 2] += 1.0;
+      return cost(mpc, inputs);
+    };
+    const double none = at(-1, -1);
+    Eigen::MatrixXd hessian(n, n);
+    Eigen::VectorXd gradient(n), single(n);
+    for (int i = 0; i < n; ++i) single[i] = at(i, -1);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) hessian(i, j) = at(i, j) - single[i] - single[j] + none;
+    gradient = single.array() - none - 0.5 * hessian.diagonal().array();
+    const Eigen::VectorXd best = -hessian.ldlt().solve(gradient);
+    std::vector<ErrorInput> inputs = zero;
+    for (int i = 0; i < n; ++i) inputs[static_cast<std::size_t>(i / 2)][i % 2] = best[i];
+    if (!is_feasible(mpc, inputs)) continue;
+    ++compared;
+    EXPECT_NEAR(mpc.solution().controls[0][0], best[0], 0.02) << "seed " << kSeed << ", trial " << trial;
+    EXPECT_NEAR(mpc.solution().controls[0][1], best[1], 0.02) << "seed " << kSeed << ", trial " << trial;
+  }
+  EXPECT_GT(compared, 5);
+}
+
+TEST(Mpc, KeepsItsBoundsAndNothingNearbyThatDoesCostsLess)
+{
+  Random random(kSeed);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+    const Scene scene(random, 0.15);
+    Mpc mpc(scene.robot, scene.options);
+    mpc.restart(scene.mode, scene.range());
+    ASSERT_TRUE(mpc.solve(scene.reference, scene.t, scene.state).usable);
+    const std::vector<ErrorInput> found = mpc.solution().controls;
+    EXPECT_TRUE(is_feasible(mpc, found));
+    const double least = cost(mpc, found);
+    for (int change = 0; change < 200; ++change)
+    {
+      std::vector<ErrorInput> other = found;
+      const double size = std::pow(10.0, random.between(-3.0, 0.0));
+      for (ErrorInput& input : other) input += size * ErrorInput(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+      if (!is_feasible(mpc, other)) continue;
+      EXPECT_GE(cost(mpc, other), least - 1e-3);
+    }
+  }
+}
+
+TEST(Mpc, AWarmStartDoesNotChangeTheAnswer)
+{
+  Random random(kSeed);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    const Scene scene(random, 0.05);
+    Mpc warm(scene.robot, scene.options), cold(scene.robot, scene.options);
+    warm.restart(scene.mode, scene.range());
+    for (const double earlier : {0.06, 0.04, 0.02})
+    {
+      MotionState before = scene.reference.at(scene.t - earlier).state;
+      before.pose.x += 0.01;
+      ASSERT_TRUE(warm.solve(scene.reference, scene.t - earlier, before).usable);
+    }
+    cold.restart(scene.mode, scene.range());
+    const MpcAnswer a = warm.solve(scene.reference, scene.t, scene.state);
+    const MpcAnswer b = cold.solve(scene.reference, scene.t, scene.state);
+    EXPECT_NEAR(a.input.a, b.input.a, 0.02);
+    EXPECT_NEAR(a.input.omega, b.input.omega, 0.02);
+  }
+}
+
+TEST(Mpc, StatesBeyondTheBoundsStillHaveAnAnswer)
+{
+  Random random(kSeed);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    Scene scene(random, 0.3);
+    scene.state.v = random.between(-3.0, 3.0);
+    scene.state.phi = random.between(-3.0, 3.0);
+    Mpc mpc(scene.robot, scene.options);
+    mpc.restart(scene.mode, scene.range());
+    const MpcAnswer answer = mpc.solve(scene.reference, scene.t, scene.state);
+    EXPECT_TRUE(answer.usable) << "seed " << kSeed << ", trial " << trial;
+    EXPECT_LE(std::abs(answer.input.a), scene.robot.max_acceleration + 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace fourwis
