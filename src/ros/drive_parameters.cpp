@@ -51,6 +51,7 @@ MpcControllerParameters mpc_controller_parameters_from(const ParameterMap& param
   MpcControllerParameters result;
   result.node = controller_options(reader);
   result.robot = reader.group("robot", robot_from);
+  result.track = reader.group("mpc", track_options_from);
   reader.ignore({"diagnostic_period"});
   reader.finish();
   return result;
