@@ -58,7 +58,10 @@ TEST(Replay, WhatATrackerAnswersDoesNotDependOnWhatItDidBefore)
   Tracker other(robot, ideal_options());
   for (std::size_t k = begin; k < life.inputs.size(); ++k)
   {
-    if (k == begin + 3) ASSERT_EQ(other.accept(second), "");
+    if (k == begin + 3)
+    {
+      ASSERT_EQ(other.accept(second), "");
+    }
     const WheelCommand command = other.step(life.inputs[k]).command;
     ASSERT_EQ(command.mode, life.commands[k].mode) << "step " << k;
     ASSERT_EQ(command.sequence, life.commands[k].sequence) << "step " << k;
