@@ -40,6 +40,7 @@ trap 'rm -f "$written"' EXIT
   "${measure_backend[@]}" "${problems[@]}" --modes ackermann
   "${measure_backend[@]}" --environments
   "${measure_backend[@]}" --backend-only "${problems[@]}"
+  "$(program benchmark_can)" --markdown
   # Slow ones: the paper's formulation, and hundreds of maps.
   "$(program benchmark_backend)" --markdown --runs "$few" --paper
   "$(program benchmark_frontend)" --markdown --runs "$few" --barn "$data/maps/barn"

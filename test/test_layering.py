@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     'optimize': {'model', 'vehicle', 'ocp'},
     'planner': {'model', 'vehicle', 'map', 'search', 'segment', 'corridor', 'ocp', 'optimize'},
     'track': {'model', 'vehicle', 'ocp'},
-    'can': {'model'},
+    'can': {'model', 'vehicle'},
     'sim': {'model', 'vehicle', 'can'},
     'parameters': {'model', 'map', 'search', 'planner', 'track', 'can', 'sim'},
 }

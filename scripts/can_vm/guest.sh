@@ -3,6 +3,9 @@
 # second kernel this is the first process, and switches it off. Builtins where possible: a fork takes 20 ms there.
 export PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
 control=$CAN_VM_CONTROL
+backend=$CAN_VM_BACKEND
+modules=${CAN_VM_MODULES//,/ }
+unset CAN_VM_CONTROL CAN_VM_BACKEND CAN_VM_MODULES
 
 mount_system()
 {
@@ -25,7 +28,7 @@ mount_system()
 load_modules()
 {
   modprobe --dirname="${modules_root:-/}" vcan echo=1
-  modprobe --dirname="${modules_root:-/}" -a can_raw can_dev ${CAN_VM_MODULES//,/ }
+  modprobe --dirname="${modules_root:-/}" -a can_raw can_dev $modules
 }
 
 make_interfaces()
@@ -49,10 +52,10 @@ run_command()
   mv "$control/status.new" "$control/status"
 }
 
-[[ $CAN_VM_BACKEND == native ]] || mount_system
+[[ $backend == native ]] || mount_system
 load_modules
 make_interfaces && run_command
-[[ $CAN_VM_BACKEND == native ]] && exit
+[[ $backend == native ]] && exit
 sync
 echo o >/proc/sysrq-trigger
 sleep 20

@@ -19,7 +19,8 @@ export PATH=$PATH:/usr/sbin:/sbin
 
 has_native()
 {
-  $namespace sh -c 'modprobe -qa vcan can_raw; ip link add vcan0 type vcan && ip link set vcan0 up' 2>/dev/null
+  $namespace sh -c 'modprobe -q vcan echo=1; modprobe -q can_raw; ip link add vcan0 type vcan && ip link set vcan0 up' \
+    2>/dev/null
 }
 
 has_uml()

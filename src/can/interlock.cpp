@@ -1,5 +1,6 @@
 #include "interlock.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "setpoint.h"
@@ -53,7 +54,9 @@ void Interlock::observe(const WheelCommand& command, const WheelMotion& measured
     late_.reset();
   }
   commanded_ = wanted;
-  aligned_now_ = aligned_.update(largest_gap(measured.angle, wanted) <= tolerance_, now);
+  // A base that steers by itself may be there before it is told to be.
+  const double gap = std::max(largest_gap(measured.angle, wanted), largest_gap(setpoint.angle, wanted));
+  aligned_now_ = aligned_.update(gap <= tolerance_, now);
   stands_ = standstill_.update(
     fastest(measured.speed) <= standstill_speed_ && fastest(setpoint.speed) <= standstill_speed_, now);
 }

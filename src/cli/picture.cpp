@@ -74,29 +74,31 @@ void write_map(std::ostream& out, const Page& page, const PlanPicture& picture)
 }
 
 /// The regions of one disc as one shape, so that they do not darken where they overlap, each with its outline.
-void write_regions(std::ostream& out, const Page& page, const PlanPicture& picture, const char* disc,
-                   std::vector<Polytope> Corridor::*regions)
+void write_regions(std::ostream& out, const Page& page, const PlanPicture& picture, std::size_t disc)
 {
   const Extent& shown = page.extent;
   const Point2 middle{(shown.min_x + shown.max_x) / 2.0, (shown.min_y + shown.max_y) / 2.0};
   const double reach = std::max(shown.max_x - shown.min_x, shown.max_y - shown.min_y);
-  out << "<path class=\"corridor " << disc << "\" d=\"";
+  out << "<path class=\"corridor disc" << disc << "\" d=\"";
   for (const Corridor& corridor : picture.corridors)
-    for (const Polytope& polytope : corridor.*regions)
+  {
+    if (disc >= corridor.size()) continue;
+    for (const Polytope& polytope : corridor[disc].regions)
     {
       std::vector<Point> polygon;
       for (const Point2& corner : corners(polytope, middle, reach)) polygon.push_back({corner.x, corner.y});
       out << polyline(page, polygon, true);
     }
+  }
   out << "\" fill=\"" << kCorridorColour << "\" fill-opacity=\"0.10\" stroke=\"" << kCorridorColour
       << "\" stroke-opacity=\"0.25\" stroke-width=\"0.5\"/>\n";
 }
 
 void write_corridors(std::ostream& out, const Page& page, const PlanPicture& picture)
 {
-  if (picture.corridors.empty()) return;
-  write_regions(out, page, picture, "front", &Corridor::front);
-  write_regions(out, page, picture, "rear", &Corridor::rear);
+  std::size_t discs = 0;
+  for (const Corridor& corridor : picture.corridors) discs = std::max(discs, corridor.size());
+  for (std::size_t disc = 0; disc < discs; ++disc) write_regions(out, page, picture, disc);
 }
 
 void write_footprints(std::ostream& out, const Page& page, const Robot& robot, const ModeRun& run)

@@ -107,7 +107,7 @@ void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
   if (outputs.csv) write_csv(outputs.csv->stream(), result.trajectory);
   if (outputs.svg)
     write_svg(outputs.svg->stream(), {problem.grid, problem.options.obstacles, problem.robot, request.start,
-                                      request.goal, result, answer.trace.corridors});
+                                      request.goal, result, answer.trace.corridors()});
   if (outputs.csv) outputs.csv->commit();
   if (outputs.svg) outputs.svg->commit();
 

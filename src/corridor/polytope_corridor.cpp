@@ -34,16 +34,16 @@ std::string complaint(const std::vector<Pose>& knots, const std::vector<double>&
   return {};
 }
 
-std::string collision_sentence(std::size_t interval, const char* disc, const Pose& from, const Pose& to)
+std::string collision_sentence(std::size_t interval, double offset, const Pose& from, const Pose& to)
 {
-  return sentence("between knots %zu and %zu the centre of the %s disc meets an obstacle or the map's border: it goes "
-                  "from (%.6g, %.6g) to (%.6g, %.6g)",
-                  interval, interval + 1, disc, from.x, from.y, to.x, to.y);
+  return sentence("between knots %zu and %zu the centre of the disc at x = %.6g m on the body meets an obstacle or the "
+                  "map's border: it goes from (%.6g, %.6g) to (%.6g, %.6g)",
+                  interval, interval + 1, offset, from.x, from.y, to.x, to.y);
 }
 
 }  // namespace
 
-PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs,
+PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const DiscCover& discs,
                                    const PolytopeOptions& options, const std::vector<Pose>& knots,
                                    const std::vector<double>& shrink)
 {
@@ -52,21 +52,21 @@ PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const Tw
   if (!wrong.empty()) return refusal<Corridor>(CorridorStatus::invalid_input, wrong);
 
   PolytopeCorridor corridor;
+  for (double offset : discs.offsets) corridor.regions.push_back({offset, {}});
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
   {
     const double keep = discs.radius + (shrink.empty() ? 0.0 : shrink[i]);
     double deficit = 0.0;
-    for (const bool is_front : {true, false})
+    for (DiscRegions& disc : corridor.regions)
     {
-      const Pose centre{is_front ? discs.offset : -discs.offset, 0.0, 0.0};
+      const Pose centre{disc.offset, 0.0, 0.0};
       const Pose from = compose(knots[i], centre), to = compose(knots[i + 1], centre);
       const Chord chord(obstacles.to_grid(from.x, from.y), obstacles.to_grid(to.x, to.y));
       ChordRegion region = chord_region(obstacles, chord, keep, options);
       if (region.planes.empty())
-        return refusal<Corridor>(CorridorStatus::in_collision,
-                                 collision_sentence(i, is_front ? "front" : "rear", from, to));
+        return refusal<Corridor>(CorridorStatus::in_collision, collision_sentence(i, disc.offset, from, to));
       for (HalfPlane& plane : region.planes) plane = obstacles.to_map(plane);
-      (is_front ? corridor.regions.front : corridor.regions.rear).push_back(std::move(region.planes));
+      disc.regions.push_back(std::move(region.planes));
       deficit = std::max(deficit, region.deficit);
     }
     corridor.deficit.push_back(deficit);

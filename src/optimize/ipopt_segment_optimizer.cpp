@@ -15,8 +15,9 @@ namespace
 bool fits(const Segment& segment, const Corridor& corridor, const Trajectory* previous, const std::vector<char>& pinned)
 {
   const std::size_t n = segment.intervals();
-  return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && corridor.front.size() == n &&
-         corridor.rear.size() == n && (!previous || previous->size() == n + 1) &&
+  return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && !corridor.empty() &&
+         std::all_of(corridor.begin(), corridor.end(), [n](const DiscRegions& disc) { return disc.regions.size() == n; }) &&
+         (!previous || previous->size() == n + 1) &&
          (pinned.empty() || pinned.size() == n + 1) &&
          std::find(kPlannedModes.begin(), kPlannedModes.end(), segment.mode) != kPlannedModes.end();
 }
@@ -37,7 +38,7 @@ SegmentSolution IpoptSegmentOptimizer::solve(const Segment& segment, const Corri
   if (!fits(segment, corridor, previous, pinned)) return result;
 
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, previous, pinned);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
   const OcpNlp<SegmentModel> program(
       problem.model, problem.numbers,
       previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref));

@@ -12,6 +12,8 @@ namespace
 
 /// Kept from the limits of the wheels, for rounding.
 constexpr double kReserve = 1.0 - 1e-3;
+/// Places between straight and full lock at which the wheels are looked at.
+constexpr int kSteps = 64;
 
 /// Greatest |d delta_i / d phi| of any wheel at phi and at -phi, by central differences.
 double wheel_gain(const Robot& robot, Mode mode, double phi)
@@ -36,18 +38,14 @@ MotionLimits::MotionLimits(const Robot& robot, Mode mode, double reference_speed
 {
   speed = std::min(speed, kReserve * robot.wheel_max_speed / wheel_speed_ratio(robot, mode, angle));
   double gain = 0.0;
-  for (int k = 0; k <= kSteps; ++k)
-  {
-    gain = std::max(gain, wheel_gain(robot, mode, angle * k / kSteps));
-    rate_within_[static_cast<std::size_t>(k)] = std::min(robot.max_steering_rate, kReserve * robot.wheel_max_rate / gain);
-  }
-  steering_rate = rate_within_[kSteps];
+  for (int k = 0; k <= kSteps; ++k) gain = std::max(gain, wheel_gain(robot, mode, angle * k / kSteps));
+  steering_rate = std::min(robot.max_steering_rate, wheel_rate(robot) / gain);
+  fastest_steering = std::min(robot.max_steering_rate, wheel_rate(robot));
 }
 
-double MotionLimits::steering_rate_within(double within) const
+double MotionLimits::wheel_rate(const Robot& robot)
 {
-  const double step = std::ceil(std::abs(within) / angle * kSteps);
-  return rate_within_[static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(kSteps)))];
+  return kReserve * robot.wheel_max_rate;
 }
 
 }  // namespace fourwis

@@ -104,9 +104,9 @@ template <class Model>
 class RowsElement : public NlpElement
 {
 public:
-  static constexpr int NR = Model::kRowVariables;
+  static constexpr int NQ = Model::kRowPoint;
 
-  /// `point` are the indices of q, which may be fewer than NR at k = N; `excess` those of e, -1 for a hard row.
+  /// `point` are the indices of q, which may be fewer than NQ at k = N; `excess` those of e, -1 for a hard row.
   RowsElement(const Model& model, int k, const std::vector<int>& point, const std::vector<int>& excess,
               const std::vector<ocp::RowLimit>& limits)
     : NlpElement(joined(point, excess), static_cast<Eigen::Index>(limits.size())), model_(model), k_(k),
@@ -139,10 +139,10 @@ public:
 
   void differentiate(const Eigen::VectorXd& x, double, const Eigen::VectorXd& y, Derivatives& d) const override
   {
-    Eigen::Matrix<double, NR, Eigen::Dynamic> gradients = Eigen::Matrix<double, NR, Eigen::Dynamic>::Zero(NR, y.size());
+    Eigen::Matrix<double, NQ, Eigen::Dynamic> gradients = Eigen::Matrix<double, NQ, Eigen::Dynamic>::Zero(NQ, y.size());
     typename Model::RowHessian hessian = Model::RowHessian::Zero();
     model_.differentiate_rows(k_, point(x), ocp::RowMultipliers(y.data(), y.size()),
-                              typename Model::Gradients(gradients.data(), NR, y.size()), hessian);
+                              typename Model::Gradients(gradients.data(), NQ, y.size()), hessian);
     d.jacobian.leftCols(point_size_) = gradients.transpose().leftCols(point_size_);
     d.hessian.topLeftCorner(point_size_, point_size_) = hessian.topLeftCorner(point_size_, point_size_);
     for_excesses([&](Eigen::Index row, Eigen::Index column, double weight) {

@@ -85,7 +85,7 @@ private:
     for (const ocp::RowLimit& limit : limits)
       excess.push_back(std::isfinite(limit.weight) ? nlp_.add_variable(0.0, ocp::kInfinity, kExcess) : -1);
     nlp_.elements.push_back(
-        std::make_unique<RowsElement<Model>>(model, k, leading(k, Model::kRowVariables), excess, limits));
+        std::make_unique<RowsElement<Model>>(model, k, leading(k, Model::kRowPoint), excess, limits));
   }
 
   int intervals_;

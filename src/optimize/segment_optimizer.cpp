@@ -28,7 +28,7 @@ SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& 
                                         const Interrupt& interrupt) const
 {
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, previous, pinned);
+  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
 
   ocp::Options solver_options;
   solver_options.tolerance = tolerance;

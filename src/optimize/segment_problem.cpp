@@ -11,8 +11,6 @@ namespace
 using Problem = ocp::Problem<5, 3>;
 using Bounds = ocp::Bounds<5, 3>;
 
-/// By so much |phi| may exceed what it was in the earlier solution [rad].
-constexpr double kSteeringSlack = 0.05;
 /// Speed at a knot where the robot is to stop: the solver needs some room between the bounds [m/s].
 constexpr double kStandstill = 1e-3;
 
@@ -42,62 +40,49 @@ void add_rows(const Polytope& region, double offset, int knot, double weight, Se
   }
 }
 
-/// Rows of the inner knots: each is bound by the regions of both its intervals.
-void set_rows(const Segment& segment, const Corridor& corridor, double offset, double weight, SegmentModel& model,
-              Problem& problem)
+/// The wheels' rows of each interval, and those of the inner knots: each is bound by the regions of both its intervals.
+void set_rows(const Segment& segment, const Corridor& corridor, double weight, SegmentModel& model, Problem& problem)
 {
   const std::size_t n = segment.intervals();
   model.disc_rows.clear();
   model.first_row.assign(n + 1, 0);
-  for (std::size_t k = 1; k < n; ++k)
+  for (std::size_t k = 0; k < n; ++k)
   {
+    for (int i = 0; i < WheelRateRows::kRows; ++i) problem.add_row(static_cast<int>(k), {0.0});
     model.first_row[k] = model.disc_rows.size();
+    if (k == 0) continue;
     for (std::size_t interval : {k - 1, k})
-    {
-      add_rows(corridor.front[interval], offset, static_cast<int>(k), weight, model, problem);
-      add_rows(corridor.rear[interval], -offset, static_cast<int>(k), weight, model, problem);
-    }
+      for (const DiscRegions& disc : corridor)
+        add_rows(disc.regions[interval], disc.offset, static_cast<int>(k), weight, model, problem);
   }
 }
 
-/// Whether the reference steers so sharply at a knot that the wheels need more time than the interval has.
+/// Whether the reference steers so sharply at a knot that the wheels need more time than an interval has at best.
 bool is_sharp(const Segment& segment, std::size_t knot, double steering_rate, double longest)
 {
   return knot > 0 && knot < segment.intervals() &&
          std::abs(segment.phi[knot] - segment.phi[knot - 1]) > steering_rate * longest;
 }
 
-/// How far |phi| may go at each knot: anywhere at first, not far beyond its earlier value later.
-std::vector<double> steering_reach(const Segment& segment, const MotionLimits& limits, const Trajectory* previous)
-{
-  std::vector<double> reach(segment.knots.size(), limits.angle);
-  if (!previous) return reach;
-  for (std::size_t k = 0; k < reach.size(); ++k)
-    reach[k] = std::min(limits.angle, std::abs((*previous)[k].phi) + kSteeringSlack);
-  return reach;
-}
-
 void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double travel,
-                double h_ref, const Trajectory* previous, const std::vector<char>& pinned, Problem& problem)
+                double h_ref, const std::vector<char>& pinned, Problem& problem)
 {
   const std::size_t n = segment.intervals();
-  const std::vector<double> reach = steering_reach(segment, limits, previous);
   // From rest to rest over a short way there is no time to reach the speed that h_ref stands for.
   const double ramp = limits.speed * limits.speed / limits.acceleration;
   const double room = std::sqrt(std::min(travel, ramp) / limits.acceleration);
   const double longest = std::max(options.longest_interval * h_ref, room);
   const double longest_at_rest = std::max(options.longest_at_rest * h_ref, room);
   const auto takes_time = [&](std::size_t knot) {
-    return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.steering_rate, longest);
+    return is_at_rest(segment, knot) || is_sharp(segment, knot, limits.fastest_steering, longest);
   };
   for (std::size_t k = 0; k <= n; ++k)
   {
-    const double next_reach = reach[std::min(k + 1, n)];
     const double speed = !pinned.empty() && pinned[k] ? kStandstill : limits.speed;
     const bool slow = takes_time(k) || (k < n && takes_time(k + 1));
     Bounds& bounds = problem.bounds[k];
-    bounds.upper.tail<5>() << speed, reach[k], limits.acceleration,
-        limits.steering_rate_within(std::max(reach[k], next_reach)), slow ? longest_at_rest : longest;
+    bounds.upper.tail<5>() << speed, limits.angle, limits.acceleration, limits.fastest_steering,
+        slow ? longest_at_rest : longest;
     bounds.lower.tail<5>() = -bounds.upper.tail<5>();
     bounds.lower[7] = options.shortest_interval * h_ref;
   }
@@ -137,8 +122,9 @@ void SegmentModel::differentiate(int, const State& x, const Control& u, const St
 void SegmentModel::rows(int k, const RowPoint& q, ocp::RowValues values) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
-  const DiscRow* row = &disc_rows[first_row[static_cast<std::size_t>(k)]];
-  for (Eigen::Index i = 0; i < values.size(); ++i, ++row)
+  const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
+  wheel_rates.evaluate(q, values.data());
+  for (Eigen::Index i = WheelRateRows::kRows; i < values.size(); ++i, ++row)
     values[i] = row->plane.a * (q[0] + row->offset * c) + row->plane.b * (q[1] + row->offset * s);
 }
 
@@ -146,17 +132,18 @@ void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipli
                                       RowHessian& hessian) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
-  const DiscRow* row = &disc_rows[first_row[static_cast<std::size_t>(k)]];
-  for (Eigen::Index i = 0; i < y.size(); ++i, ++row)
+  const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
+  wheel_rates.differentiate(q, y, gradients, hessian);
+  for (Eigen::Index i = WheelRateRows::kRows; i < y.size(); ++i, ++row)
   {
     const double a = row->plane.a, b = row->plane.b, o = row->offset;
-    gradients.col(i) << a, b, o * (b * c - a * s);
+    gradients.col(i).head<3>() << a, b, o * (b * c - a * s);
     hessian(2, 2) -= y[i] * o * (a * c + b * s);
   }
 }
 
 SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits, const Trajectory* previous,
+                               const OptimizeOptions& options, const MotionLimits& limits,
                                const std::vector<char>& pinned)
 {
   const std::size_t n = segment.intervals();
@@ -174,8 +161,8 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   numbers.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
   numbers.terminal_fixed = {true, true, true, true, false};
-  set_bounds(segment, limits, options, length, problem.model.h_ref, previous, pinned, numbers);
-  set_rows(segment, corridor, robot.length / 4.0, options.corridor_weight, problem.model, numbers);
+  set_bounds(segment, limits, options, length, problem.model.h_ref, pinned, numbers);
+  set_rows(segment, corridor, options.corridor_weight, problem.model, numbers);
   return problem;
 }
 

@@ -13,6 +13,7 @@
 #include "fourwis_navigation/optimize/motion_limits.h"
 #include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/optimize/simpson.h"
+#include "wheel_rate_rows.h"
 
 namespace fourwis
 {
@@ -21,13 +22,13 @@ namespace fourwis
 struct DiscRow
 {
   HalfPlane plane;
-  double offset;  ///< o, +-l/4 [m]
+  double offset;  ///< o [m]
 };
 
 /// The functions of a segment's problem, x = (x, y, theta, v, phi), u = (a, omega, h).
-struct SegmentModel : ocp::ModelBase<5, 3, 3>
+struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows>
 {
-  SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode) {}
+  SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode), wheel_rates(robot, mode) {}
 
   void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
   void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
@@ -36,6 +37,7 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3>
                           RowHessian& hessian) const;
 
   SimpsonDynamics dynamics;
+  WheelRateRows wheel_rates;           ///< the first rows of each interval
   double alpha = 0.0, interval_weight = 0.0, h_ref = 0.0;
   std::vector<DiscRow> disc_rows;      ///< stage by stage
   std::vector<std::size_t> first_row;  ///< of each stage in disc_rows
@@ -48,10 +50,9 @@ struct SegmentProblem
   ocp::Problem<5, 3> numbers;
 };
 
-/// v = 0 at the knots that `pinned` marks (one per knot, or none). With an earlier solution as `previous` (may be null), |phi|
-/// stays near what it was there, and where that is small the wheels may turn faster.
+/// v = 0 at the knots that `pinned` marks (one per knot, or none).
 SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits, const Trajectory* previous,
+                               const OptimizeOptions& options, const MotionLimits& limits,
                                const std::vector<char>& pinned);
 
 /// The reference driven at the reference speed, paper eq. (21); `h_ref` seconds for each interval.

@@ -66,6 +66,8 @@ const ParameterTable<PlannerOptions>& planner_table()
     {"shortest_interval", optimize(&OptimizeOptions::shortest_interval), 0.01, 0.9},
     {"longest_interval", optimize(&OptimizeOptions::longest_interval), 1.1, 100.0},
     {"longest_at_rest", optimize(&OptimizeOptions::longest_at_rest), 2.0, 100.0},
+    {"corridor_discs", optimize(&OptimizeOptions::corridor_discs), 1, 8},
+    {"polish_discs", optimize(&OptimizeOptions::polish_discs), 1, 8},
     {"corridor_range", optimize(&OptimizeOptions::corridor_range), 0.1, 20.0, "m"},
     {"outer_iterations", optimize(&OptimizeOptions::outer_iterations), 1, 20},
     {"repairs", optimize(&OptimizeOptions::repairs), 0, 20},

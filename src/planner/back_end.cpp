@@ -2,123 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
-#include "fourwis_navigation/optimize/segment_optimizer.h"
 #include "fourwis_navigation/optimize/simpson.h"
-#include "fourwis_navigation/planner/certificate.h"
 #include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 #include "in_parallel.h"
+#include "segment_refiner.h"
 
 namespace fourwis
 {
 namespace
 {
 
-/// Accuracy of the rounds before the last, and of the last.
-constexpr double kRoughTolerance = 1e-2, kFineTolerance = 1e-6;
-/// A region that lets a disc come closer to an obstacle than the first is shrunk so that it keeps the second [m].
-constexpr double kLeastClearance = 0.001, kWantedClearance = 0.003;
-/// The exact motion from one point may miss the next by this much before the knots are put closer together [m].
-constexpr double kMostRolloutMiss = 0.004;
 /// A switch is this much longer than the wheels need, for rounding.
 constexpr double kSwitchReserve = 1.0 + 1e-6;
 /// Points are no closer in time than this [s].
 constexpr double kLeastInterval = 1e-3;
 /// So often the knots' spacing is halved.
 constexpr int kHalvings = 2;
-
-struct RefinedSegment
-{
-  bool solved = false;
-  bool too_coarse = false;  ///< what happens between the knots is the trouble: try again with more of them
-  std::string message;
-  Trajectory points;
-  Corridor corridor;
-  int outer_iterations = 0, solver_iterations = 0;
-};
-
-class SegmentRefiner
-{
-public:
-  SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                 const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
-    : checker_(checker), obstacles_(obstacles), robot_(robot), options_(options),
-      polytopes_{options.corridor_range, PolytopeOptions().max_half_planes}, optimizer_(robot, options, reference_speed), interrupt_(interrupt)
-  {
-  }
-
-  /// corridor <-> optimisation until the certificate holds.
-  RefinedSegment refine(const Segment& reference) const
-  {
-    RefinedSegment result;
-    Segment around = reference;  // what the corridor is built around
-    std::vector<double> shrink(reference.intervals(), 0.0);
-    std::vector<char> pinned(reference.knots.size(), 0);
-    for (int round = 1; round <= options_.outer_iterations + options_.repairs; ++round)
-    {
-      PolytopeCorridor corridor = polytope_corridor(obstacles_, checker_.discs(), polytopes_, around.knots, shrink);
-      if (corridor.status != CorridorStatus::succeeded) return give_up(result, corridor.message);
-      const bool rough = round < options_.outer_iterations;
-      SegmentSolution solution = optimizer_.solve(reference, corridor.regions, round == 1 ? nullptr : &result.points,
-                                                  pinned, rough ? kRoughTolerance : kFineTolerance, interrupt_);
-      ++result.outer_iterations;
-      result.solver_iterations += solution.iterations;
-      if (!solution.solved)
-      {
-        result.too_coarse = !interrupt_.cancelled() && !interrupt_.timed_out();
-        return give_up(result, solution.message);
-      }
-      result.points = std::move(solution.points);
-      result.corridor = std::move(corridor.regions);
-      const bool certified = is_certified(reference, result, shrink, pinned);
-      if (rough)
-        for (std::size_t k = 0; k < around.knots.size(); ++k) around.knots[k] = result.points[k].pose();
-      else if (certified)
-        return result;
-    }
-    result.too_coarse = true;
-    return give_up(result, "the certificate still fails after all repairs");
-  }
-
-private:
-  RefinedSegment give_up(RefinedSegment& result, const std::string& message) const
-  {
-    result.solved = false;
-    result.message = message;
-    return std::move(result);
-  }
-
-  /// Sets `solved` when no disc comes too close between the knots. Where one does, shrinks the region, and where the
-  /// robot turns back within the interval, out of what the region's chord knows of, makes it stop at the cusp instead.
-  bool is_certified(const Segment& reference, RefinedSegment& result, std::vector<double>& shrink,
-                    std::vector<char>& pinned) const
-  {
-    const Certificate certificate = certify(checker_, robot_, result.points);
-    result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
-    result.solved = true;
-    for (std::size_t k = 0; k < shrink.size(); ++k)
-    {
-      if (certificate.clearance[k] >= kLeastClearance) continue;
-      result.solved = false;
-      if (result.points[k].v * result.points[k + 1].v < 0.0)
-        for (std::size_t knot = k > 0 ? k : 1; knot <= std::min(k + 1, shrink.size() - 1); ++knot)
-          pinned[knot] = std::signbit(reference.length[knot - 1]) != std::signbit(reference.length[knot]);
-      else
-        shrink[k] += kWantedClearance - certificate.clearance[k];
-    }
-    return result.solved;
-  }
-
-  const CollisionChecker& checker_;
-  const ObstacleRectangles& obstacles_;
-  const Robot& robot_;
-  const OptimizeOptions& options_;
-  const PolytopeOptions polytopes_;
-  const SegmentOptimizer optimizer_;
-  const Interrupt& interrupt_;
-};
 
 /// The pieces of a path between its switches.
 std::vector<Path> parts_between_switches(const Path& path)
@@ -179,52 +83,80 @@ void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
   }
 }
 
+/// Optimises the i-th segment, at smaller and smaller spacing where that is the trouble.
+void refine_part(const SegmentRefiner& refiner, const Robot& robot, const std::vector<std::vector<Segment>>& segments,
+                 std::size_t i, RefinedPart& part)
+{
+  RefinedSegment refined;
+  for (const std::vector<Segment>& spaced : segments)
+  {
+    refined = refiner.refine(spaced[i]);
+    part.solver_iterations += refined.solver_iterations;
+    std::move(refined.rounds.begin(), refined.rounds.end(), std::back_inserter(part.rounds));
+    if (!refined.too_coarse) break;
+  }
+  part.optimized = refined.usable();
+  part.message = refined.solved ? "the exact motion misses the knots" : refined.message;
+  if (part.optimized) part.points = split_at_standstill(robot, part.rounds.back().points);
+}
+
+/// What is said of the parts together.
+void finish(const Robot& robot, const Interrupt& interrupt, Refinement& refinement)
+{
+  refinement.trajectory.clear();
+  refinement.outer_iterations = refinement.solver_iterations = 0;
+  for (const RefinedPart& part : refinement.parts)
+  {
+    append(robot, part.points, refinement.trajectory);
+    refinement.outer_iterations = std::max(refinement.outer_iterations, static_cast<int>(part.rounds.size()));
+    refinement.solver_iterations += part.solver_iterations;
+  }
+  if (interrupt.cancelled()) refinement.trajectory.clear();
+}
+
 }  // namespace
 
 Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                   const OptimizeOptions& options, double reference_speed, const Path& path,
                   const Interrupt& interrupt)
 {
-  const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
-  const std::vector<Path> parts = parts_between_switches(path);
+  const SegmentRefiner refiner(checker.map(), obstacles, robot, options, reference_speed, interrupt);
+  const std::vector<Path> paths = parts_between_switches(path);
   std::vector<std::vector<Segment>> segments;  // at the wanted spacing, at half of it, ...
   for (int halving = 0; halving <= kHalvings; ++halving)
     segments.push_back(split_at_switches(path, robot, options.spacing / (1 << halving)));
 
-  std::vector<RefinedSegment> refined(parts.size());
-  const bool matches = segments.front().size() == parts.size();
-  if (matches)
-    in_parallel(parts.size(), [&](std::size_t i) {
-      if (is_one_stretch(parts[i])) return;
-      for (const std::vector<Segment>& spaced : segments)
-      {
-        const int rounds = refined[i].outer_iterations, iterations = refined[i].solver_iterations;
-        refined[i] = refiner.refine(spaced[i]);
-        refined[i].outer_iterations += rounds;
-        refined[i].solver_iterations += iterations;
-        if (!refined[i].too_coarse) break;
-      }
-    });
-
   Refinement result;
-  result.segments = static_cast<int>(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  result.parts.resize(paths.size());
+  in_parallel(paths.size(), [&](std::size_t i) {
+    if (segments.front().size() == paths.size() && !is_one_stretch(paths[i]))
+      refine_part(refiner, robot, segments, i, result.parts[i]);
+    if (!result.parts[i].optimized) result.parts[i].points = stop_and_steer(paths[i], robot, reference_speed);
+  });
+  for (std::size_t i = 0; i < paths.size(); ++i)
   {
-    const bool usable = refined[i].solved && !refined[i].too_coarse;
-    if (!usable && !is_one_stretch(parts[i]))
-    {
-      ++result.fallbacks;
-      result.message = refined[i].solved ? "the exact motion misses the knots" : refined[i].message;
-    }
-    append(robot,
-           usable ? split_at_standstill(robot, refined[i].points) : stop_and_steer(parts[i], robot, reference_speed),
-           result.trajectory);
-    result.outer_iterations = std::max(result.outer_iterations, refined[i].outer_iterations);
-    result.solver_iterations += refined[i].solver_iterations;
-    result.corridors.push_back(std::move(refined[i].corridor));
+    if (result.parts[i].optimized || is_one_stretch(paths[i])) continue;
+    ++result.fallbacks;
+    result.message = result.parts[i].message;
   }
-  if (interrupt.cancelled()) result.trajectory.clear();
+  finish(robot, interrupt, result);
   return result;
+}
+
+void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
+            const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement)
+{
+  const SegmentRefiner refiner(checker.map(), obstacles, robot, options, reference_speed, interrupt);
+  Refinement before = refinement;
+  in_parallel(refinement.parts.size(), [&](std::size_t i) {
+    RefinedPart& part = refinement.parts[i];
+    if (!part.optimized || !refiner.polish(part.rounds, part.solver_iterations)) return;
+    part.points = split_at_standstill(robot, part.rounds.back().points);
+  });
+  finish(robot, interrupt, refinement);
+  // Wheels that end elsewhere may take longer to turn at the switch.
+  const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
+  if (later(refinement.trajectory, before.trajectory)) refinement = std::move(before);
 }
 
 }  // namespace fourwis

@@ -42,29 +42,34 @@ double rollout_miss(const SimpsonDynamics& dynamics, const TrajectoryPoint& from
 }
 
 /// Greatest speed of a disc centre within an interval, whose v and phi are greatest at an end [m/s].
-double greatest_disc_speed(const Robot& robot, double offset, const TrajectoryPoint& from, const TrajectoryPoint& to)
+double greatest_disc_speed(const Robot& robot, const DiscCover& discs, const TrajectoryPoint& from, const TrajectoryPoint& to)
 {
   const double kappa = std::max(std::abs(curvature(robot, from.mode, from.phi)), std::abs(curvature(robot, from.mode, to.phi)));
-  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * offset);
+  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * discs.offsets.front());
 }
 
-double least_clearance(const CollisionChecker& checker, const Robot& robot, const SimpsonDynamics& dynamics,
-                       const TrajectoryPoint& from, const TrajectoryPoint& to)
+/// Least distance of the discs at a pose to obstacles, as far as it matters [m].
+double clearance_at(const ObstacleMap& map, const DiscCover& discs, double radius, const State& x)
 {
-  const TwoDiscs& discs = checker.discs();
+  const double c = std::cos(x[2]), s = std::sin(x[2]);
+  double clearance = 10.0 * kFar;
+  for (double offset : discs.offsets)
+  {
+    const double cx = x[0] + offset * c, cy = x[1] + offset * s;
+    if (!map.is_clear(cx, cy, radius, clearance)) clearance = std::min(clearance, map.distance(cx, cy) - radius);
+  }
+  return clearance;
+}
+
+double least_clearance(const ObstacleMap& map, const DiscCover& discs, const Robot& robot,
+                       const SimpsonDynamics& dynamics, const TrajectoryPoint& from, const TrajectoryPoint& to)
+{
   const double radius = discs.radius - robot.safety_margin, duration = to.t - from.t;
-  const double speed = std::max(greatest_disc_speed(robot, discs.offset, from, to), 1e-6);
+  const double speed = std::max(greatest_disc_speed(robot, discs, from, to), 1e-6);
   double least = kFar;
   for (double t = 0.0;;)
   {
-    const State x = after(dynamics, from, t);
-    const double c = std::cos(x[2]), s = std::sin(x[2]), ox = discs.offset * c, oy = discs.offset * s;
-    const ObstacleMap& map = checker.map();
-    double clearance = 10.0 * kFar;
-    const bool free = map.is_clear(x[0] + ox, x[1] + oy, radius, clearance) &&
-                      map.is_clear(x[0] - ox, x[1] - oy, radius, clearance);
-    if (!free)
-      clearance = std::min(map.distance(x[0] + ox, x[1] + oy), map.distance(x[0] - ox, x[1] - oy)) - radius;
+    const double clearance = clearance_at(map, discs, radius, after(dynamics, from, t));
     least = std::min(least, clearance);
     if (t >= duration) return least;
     t = std::min(duration, t + std::max(clearance, kLeastStep) / speed);
@@ -73,14 +78,14 @@ double least_clearance(const CollisionChecker& checker, const Robot& robot, cons
 
 }  // namespace
 
-Certificate certify(const CollisionChecker& checker, const Robot& robot, const Trajectory& points)
+Certificate certify(const ObstacleMap& map, const DiscCover& discs, const Robot& robot, const Trajectory& points)
 {
   Certificate certificate;
   if (points.empty()) return certificate;
   const SimpsonDynamics dynamics(robot, points.front().mode);
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
-    certificate.clearance.push_back(least_clearance(checker, robot, dynamics, points[k], points[k + 1]));
+    certificate.clearance.push_back(least_clearance(map, discs, robot, dynamics, points[k], points[k + 1]));
     certificate.worst_rollout = std::max(certificate.worst_rollout, rollout_miss(dynamics, points[k], points[k + 1]));
   }
   return certificate;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "fourwis_navigation/map/collision.h"
@@ -31,6 +32,14 @@ std::string sentence(const char* format, Numbers... numbers)
   char text[256];
   std::snprintf(text, sizeof text, format, numbers...);
   return text;
+}
+
+/// Polishing makes trajectories faster by up to about this factor.
+constexpr double kWorthPolishing = 1.01;
+
+double arrival_time(const Refinement& refinement)
+{
+  return refinement.trajectory.empty() ? std::numeric_limits<double>::infinity() : refinement.trajectory.back().t;
 }
 
 /// A result that is not a plan.
@@ -130,6 +139,28 @@ std::size_t judge(const World& world, const PlanRequest& request, std::vector<Tr
   return chosen;
 }
 
+/// Candidates from the fastest to the slowest.
+std::vector<std::size_t> fastest_first(const std::vector<Refinement>& refined)
+{
+  std::vector<std::size_t> order(refined.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return arrival_time(refined[a]) < arrival_time(refined[b]);
+  });
+  return order;
+}
+
+/// Polishes those that may become the fastest by it.
+template <typename Polish>
+void polish_fastest(std::vector<Refinement>& refined, const Polish& polish)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Refinement& refinement : refined) least = std::min(least, arrival_time(refinement));
+  in_parallel(refined.size(), [&](std::size_t i) {
+    if (arrival_time(refined[i]) <= kWorthPolishing * least) polish(refined[i]);
+  });
+}
+
 }  // namespace
 
 World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options)
@@ -142,6 +173,14 @@ World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const Pla
   : robot(robot_model), grid(occupancy), obstacles(occupancy, options.obstacles), rectangles(obstacles),
     referee(occupancy, options.obstacles, robot_model, options.verify), build_ms(ms_since(begin))
 {
+}
+
+std::vector<Corridor> PlanTrace::corridors() const
+{
+  std::vector<Corridor> last;
+  for (const std::vector<RefinementRound>& segment : rounds)
+    if (!segment.empty()) last.push_back(segment.back().corridor);
+  return last;
 }
 
 Planner::Planner(const Robot& robot, const PlannerOptions& options) : robot_(robot), options_(options) {}
@@ -192,6 +231,9 @@ PlanResult Planner::find_and_refine(const World& world, const CollisionChecker& 
     refined[i] = refine(checker, world.rectangles, robot_, options_.optimize, search.reference_speed, found.paths[i],
                         interrupt);
   });
+  polish_fastest(refined, [&](Refinement& refinement) {
+    polish(checker, world.rectangles, robot_, options_.optimize, search.reference_speed, interrupt, refinement);
+  });
   result.metrics.backend_ms = ms_since(refining);
   if (interrupt.cancelled())
   {
@@ -201,11 +243,7 @@ PlanResult Planner::find_and_refine(const World& world, const CollisionChecker& 
   }
 
   // The fastest that the referee accepts; when it accepts none, the first path with all its stops.
-  std::vector<std::size_t> order(refined.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return refined[a].trajectory.back().t < refined[b].trajectory.back().t;
-  });
+  const std::vector<std::size_t> order = fastest_first(refined);
   std::vector<Trajectory> trajectories;
   for (std::size_t i : order) trajectories.push_back(std::move(refined[i].trajectory));
   trajectories.push_back(stop_and_steer(found.paths.front(), robot_, search.reference_speed));
@@ -216,7 +254,9 @@ PlanResult Planner::find_and_refine(const World& world, const CollisionChecker& 
     Refinement& refinement = refined[order[chosen]];
     result.metrics.outer_iterations = refinement.outer_iterations;
     result.metrics.ipopt_iterations = refinement.solver_iterations;
-    if (trace) trace->corridors = std::move(refinement.corridors);
+    if (trace)
+      for (RefinedPart& part : refinement.parts)
+        trace->rounds.push_back(std::move(part.rounds));
   }
   return result;
 }

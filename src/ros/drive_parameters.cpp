@@ -16,17 +16,10 @@ MpcControllerOptions controller_options(KeyReader& reader)
   return options;
 }
 
-std::string bus(KeyReader& reader)
-{
-  const std::string bus = reader.text("bus");
-  if (bus != "direct") throw ConfigError("parameter 'bus' is '" + bus + "', expected 'direct'");
-  return bus;
-}
-
 BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
 {
   BaseSimulatorNodeOptions options;
-  options.bus = bus(reader);
+  options.bus = reader.text("bus");
   options.global_frame = reader.frame("global_frame");
   options.frames.odom_frame = reader.frame("odom_frame");
   options.frames.robot_base_frame = reader.frame("robot_base_frame");
@@ -64,6 +57,7 @@ BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& param
   result.node = simulator_options(reader);
   result.robot = reader.group("robot", robot_from);
   result.simulator = reader.group("simulator", simulator_options_from);
+  if (result.node.bus != kDirect) result.bridge = reader.group("can_bridge", bridge_options_from);
   reader.finish();
   return result;
 }

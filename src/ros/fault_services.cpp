@@ -1,36 +1,17 @@
 #include "fourwis_navigation/ros/fault_services.h"
 
-#include "refuse.h"
+#include "fourwis_navigation/ros/conversions.h"
 
 namespace fourwis
-{
-namespace
 {
 
 using fourwis_navigation::InjectFault;
 
-}  // namespace
-
-FaultServices::FaultServices(BaseSimulator& simulator, BaseTopics& base, IdealLocalization& localization)
-  : simulator_(simulator), base_(base), localization_(localization)
+FaultServices::FaultServices(Inject inject, std::function<void()> clear)
 {
-  using Kind = WheelFault::Kind;
-  faults_ = {{"stuck_steering", [this](const auto& fault) { break_wheel(Kind::stuck_steering, fault.wheel); }},
-             {"dead_drive", [this](const auto& fault) { break_wheel(Kind::dead_drive, fault.wheel); }},
-             {"frozen_encoders", [this](const auto& fault) { break_wheel(Kind::frozen_encoders, fault.wheel); }},
-             {"lost_odometry", [this](const auto&) { silent_.odom = true; }},
-             {"lost_wheel_states", [this](const auto&) { silent_.wheel_states = true; }},
-             {"lost_localization", [this](const auto&) { localization_.set_lost(true); }},
-             {"odometry_jump", [this](const auto& fault) { jump({fault.x, fault.y, fault.yaw}); }}};
-  advertise();
-}
-
-void FaultServices::advertise()
-{
-  ros::NodeHandle node("~");
-  inject_ = node.advertiseService<InjectFault::Request, InjectFault::Response>(
+  inject_ = node_.advertiseService<InjectFault::Request, InjectFault::Response>(
     "inject_fault",
-    [this](InjectFault::Request& request, InjectFault::Response& response)
+    [inject](InjectFault::Request& request, InjectFault::Response& response)
     {
       try
       {
@@ -43,43 +24,14 @@ void FaultServices::advertise()
       }
       return true;
     });
-  clear_ = node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+  clear_ = node_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
     "clear_faults",
-    [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
+    [clear](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response)
     {
       clear();
       response.success = true;
       return true;
     });
-}
-
-void FaultServices::inject(const InjectFault::Request& request)
-{
-  const auto fault = faults_.find(request.kind);
-  if (fault == faults_.end()) refuse("inject_fault: kind is '", request.kind, "', expected one of the service's words");
-  fault->second(request);
-  base_.set_silence(silent_);
-}
-
-void FaultServices::break_wheel(WheelFault::Kind kind, int wheel)
-{
-  if (wheel >= kWheels) refuse("inject_fault: wheel is ", wheel, ", expected a number from 0 to ", kWheels - 1);
-  simulator_.inject({kind, wheel});
-}
-
-void FaultServices::jump(const Pose& by)
-{
-  if (!is_finite(by)) refuse("inject_fault: the jump (", by.x, ", ", by.y, ", ", by.theta, ") is not finite");
-  const Pose now = base_.odometry();
-  base_.set_odometry({now.x + by.x, now.y + by.y, now.theta + by.theta});
-}
-
-void FaultServices::clear()
-{
-  simulator_.clear_faults();
-  localization_.set_lost(false);
-  silent_ = {};
-  base_.set_silence(silent_);
 }
 
 }  // namespace fourwis

@@ -1,5 +1,7 @@
 #include "fourwis_navigation/ros/ideal_localization.h"
 
+#include <utility>
+
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
 
@@ -8,11 +10,11 @@
 namespace fourwis
 {
 
-IdealLocalization::IdealLocalization(const BaseSimulatorNodeOptions& options, BaseSimulator& simulator)
+IdealLocalization::IdealLocalization(const BaseSimulatorNodeOptions& options, std::function<void(const Pose&)> place)
   : global_frame_(options.global_frame),
     odom_frame_(options.frames.odom_frame),
     ahead_(options.transform_tolerance),
-    simulator_(simulator)
+    place_(std::move(place))
 {
   pose_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("pose", 10);
   initial_pose_ = node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
@@ -20,17 +22,22 @@ IdealLocalization::IdealLocalization(const BaseSimulatorNodeOptions& options, Ba
     [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) { on_initial_pose(*message); });
 }
 
-void IdealLocalization::publish(const ros::Time& stamp, const Pose& odometry)
+void IdealLocalization::publish(const ros::Time& stamp, const Pose& truth)
 {
-  geometry_msgs::PoseStamped truth;
-  truth.header.stamp = stamp;
-  truth.header.frame_id = global_frame_;
-  truth.pose = to_message(simulator_.pose());
-  pose_.publish(truth);
+  geometry_msgs::PoseStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = global_frame_;
+  message.pose = to_message(truth);
+  pose_.publish(message);
+}
+
+void IdealLocalization::correct(const ros::Time& stamp, const Pose& truth, const Pose& odometry)
+{
   if (lost_) return;
-  std_msgs::Header dated_ahead = truth.header;
-  dated_ahead.stamp += ahead_;
-  const Pose map_to_odom = compose(simulator_.pose(), relative_to(odometry, {}));
+  std_msgs::Header dated_ahead;
+  dated_ahead.stamp = stamp + ahead_;
+  dated_ahead.frame_id = global_frame_;
+  const Pose map_to_odom = compose(truth, relative_to(odometry, {}));
   tf_.sendTransform(to_message(map_to_odom, dated_ahead, odom_frame_));
 }
 
@@ -41,7 +48,7 @@ void IdealLocalization::on_initial_pose(const geometry_msgs::PoseWithCovarianceS
     if (message.header.frame_id != global_frame_)
       refuse("initialpose: header.frame_id is '", message.header.frame_id, "', expected global_frame = '", global_frame_,
              "'");
-    simulator_.place(to_pose(message.pose.pose, "initialpose"));
+    place_(to_pose(message.pose.pose, "initialpose"));
   }
   catch (const ConversionError& error)
   {

@@ -138,20 +138,12 @@ Marker switch_marker(const Trajectory& trajectory, const std_msgs::Header& heade
   return finished(spheres);
 }
 
-Marker corridor_marker(const std::string& name, const std::vector<Corridor>& corridors,
-                       std::vector<Polytope> Corridor::*regions, const Pose& around, const std_msgs::Header& header)
+void add_region(const Polytope& region, const Pose& around, Marker& triangles)
 {
-  Marker triangles = marker(name, Marker::TRIANGLE_LIST, 1.0, header);
-  triangles.color = kCorridorColour;
-  for (const Corridor& corridor : corridors)
-    for (const Polytope& polytope : corridor.*regions)
-    {
-      const std::vector<Point2> polygon = corners(polytope, {around.x, around.y}, kCorridorReach);
-      for (std::size_t i = 2; i < polygon.size(); ++i)
-        for (const Point2& corner : {polygon[0], polygon[i - 1], polygon[i]})
-          triangles.points.push_back(point({corner.x, corner.y, 0.0}, kCorridorHeight));
-    }
-  return finished(triangles);
+  const std::vector<Point2> polygon = corners(region, {around.x, around.y}, kCorridorReach);
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    for (const Point2& corner : {polygon[0], polygon[i - 1], polygon[i]})
+      triangles.points.push_back(point({corner.x, corner.y, 0.0}, kCorridorHeight));
 }
 
 Marker end_marker(const std::string& name, const Robot& robot, const Pose& pose, const std_msgs::ColorRGBA& colour,
@@ -186,13 +178,15 @@ visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, c
   return text;
 }
 
-visualization_msgs::MarkerArray corridor_markers(const std::vector<Corridor>& corridors, const Pose& around,
-                                                 const std_msgs::Header& header)
+visualization_msgs::Marker corridor_marker(const std::vector<Corridor>& corridors, const Pose& around,
+                                           const std_msgs::Header& header)
 {
-  visualization_msgs::MarkerArray array;
-  array.markers = {corridor_marker("front_corridor", corridors, &Corridor::front, around, header),
-                   corridor_marker("rear_corridor", corridors, &Corridor::rear, around, header)};
-  return array;
+  Marker triangles = marker("corridors", Marker::TRIANGLE_LIST, 1.0, header);
+  triangles.color = kCorridorColour;
+  for (const Corridor& corridor : corridors)
+    for (const DiscRegions& disc : corridor)
+      for (const Polytope& region : disc.regions) add_region(region, around, triangles);
+  return finished(triangles);
 }
 
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header)

@@ -115,7 +115,10 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer, const ros::Time& begi
   plan_.publish(to_path_message(answer.result.trajectory, now));
   frontend_plan_.publish(to_path_message(robot_, answer.result.path, now));
   marker_.publish(markers_);
-  if (show_corridors_) corridors_.publish(corridor_markers(answer.trace.corridors, answer.request.start, now));
+  if (!show_corridors_) return;
+  visualization_msgs::MarkerArray corridors;
+  corridors.markers = {corridor_marker(answer.trace.corridors(), answer.request.start, now)};
+  corridors_.publish(corridors);
 }
 
 void PlannerTopics::publish_trajectory(const Trajectory& trajectory, const ros::Time& begin)

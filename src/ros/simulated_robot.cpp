@@ -7,8 +7,9 @@ SimulatedRobot::SimulatedRobot(const BaseSimulatorParameters& parameters)
   : period_(1.0 / parameters.node.publish_frequency),
     simulator_(parameters.robot, parameters.simulator),
     base_(parameters, simulator_),
-    localization_(parameters.node, simulator_),
+    localization_(parameters.node, [this](const Pose& pose) { simulator_.place(pose); }),
     faults_(simulator_, base_.topics(), localization_),
+    fault_services_([this](const auto& fault) { faults_.inject(fault); }, [this] { faults_.clear(); }),
     clock_(
       parameters.node, [this](const ros::Time& end) { cycle(end); },
       [this](const ros::Time& now) { return base_.answered(now); })
@@ -20,7 +21,8 @@ void SimulatedRobot::cycle(const ros::Time& end)
 {
   simulator_.step(period_);
   base_.publish(end);
-  localization_.publish(end, base_.topics().odometry());
+  localization_.publish(end, simulator_.pose());
+  localization_.correct(end, simulator_.pose(), base_.topics().odometry());
 }
 
 }  // namespace fourwis

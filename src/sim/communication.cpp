@@ -100,13 +100,16 @@ CommunicationEvent Communication::watch(double now)
   }
   consumer_.configure(dictionary_.get(object::kHeartbeatConsumer, 1));
   if (!consumer_.has_lost(now)) return CommunicationEvent::none;
-  lose_master();
+  lose_master(now);
   return CommunicationEvent::connection_lost;
 }
 
-void Communication::lose_master()
+/// The emergency says for how long the master has been silent, [ms] in the manufacturer's bytes 3 and 4.
+void Communication::lose_master(double now)
 {
-  raise(kHeartbeatLost);
+  can::Frame emergency = record_error(dictionary_, node_, kHeartbeatLost);
+  put_bytes(emergency, 3, 2, static_cast<std::uint32_t>(consumer_.silence(now) * 1e3 + 0.5));
+  send_emergency(emergency);
   const auto behaviour = dictionary_.get(object::kErrorBehaviour, 1);
   if (behaviour == kToStopped) enter(NmtState::stopped);
   if (behaviour == kToPreOperational && state_ == NmtState::operational) enter(NmtState::pre_operational);

@@ -42,7 +42,7 @@ private:
   void enter(NmtState state);
   void receive_process_data(const can::Frame& frame);
   void hear(double now, const can::Frame& frame);
-  void lose_master();
+  void lose_master(double now);
   void send_emergency(const can::Frame& frame);
 
   ObjectDictionary& dictionary_;

@@ -47,6 +47,8 @@ public:
     last_ = now;
   }
 
+  double silence(double now) const { return now - last_; }  ///< since it was last heard [s]
+
   /// Once for each time it falls silent.
   bool has_lost(double now)
   {

@@ -51,7 +51,7 @@ std::vector<std::string> row(const Sample& sample)
   return {sample.problem,
           fixed(sample.length, 2),
           std::to_string(refinement.trajectory.size()),
-          std::to_string(refinement.segments),
+          std::to_string(refinement.parts.size()),
           std::to_string(refinement.fallbacks),
           std::to_string(refinement.outer_iterations),
           std::to_string(refinement.solver_iterations),

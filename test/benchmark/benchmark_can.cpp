@@ -16,7 +16,9 @@ namespace fourwis::benchmark
 namespace
 {
 
-void report_latencies(const Report& report, const std::vector<std::string>& buses, int commands)
+using Names = std::vector<std::string>;
+
+void report_latencies(const Report& report, const Names& buses, int commands)
 {
   report.title("From a callback with a command to its frames in the kernel");
   Table table({"bus", "commands", "frames each", "p50 us", "p99 us", "worst us", "priority"});
@@ -35,7 +37,8 @@ int run(int argc, char** argv)
   po::options_description options("Measures the bridge's way from a command to the bus. Options");
   auto add = options.add_options();
   add("help,h", "this text");
-  add("bus", po::value<std::vector<std::string>>()->composing(), "unix:NAME (default) or a SocketCAN interface; may be repeated");
+  add("bus", po::value<Names>()->default_value({"unix:benchmark"}, "unix:benchmark")->composing(),
+      "unix:NAME or a SocketCAN interface; may be repeated");
   add("commands", po::value<int>()->default_value(1000), "so many, 50 a second");
   add("markdown", "tables as Markdown");
   po::variables_map given;
@@ -45,8 +48,7 @@ int run(int argc, char** argv)
     std::cout << options;
   else
     report_latencies({std::cout, given.count("markdown") > 0},
-                     given.count("bus") ? given["bus"].as<std::vector<std::string>>() : std::vector<std::string>{"unix:benchmark"},
-                     given["commands"].as<int>());
+                     given["bus"].as<Names>(), given["commands"].as<int>());
   return 0;
 }
 

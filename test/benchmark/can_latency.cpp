@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "fourwis_navigation/can/bridge.h"
+#include "fourwis_navigation/can/bridge_connection.h"
 #include "fourwis_navigation/can/bus.h"
 #include "fourwis_navigation/can/mailbox.h"
 #include "fourwis_navigation/sim/fake_drives.h"
@@ -23,15 +24,22 @@ namespace
 {
 
 using can::BridgeStage;
-using can::BusStatus;
 
-constexpr int kPriority = 50;
+/// The drives come second: a real base does not wait for this machine.
+constexpr int kBridgePriority = 50, kDrivesPriority = 49;
 constexpr int kMicrosecondsBetweenCommands = 20000;
 
 /// Seconds of the monotonic clock.
 double seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Whether this thread may from here on go before all that are not real-time.
+bool become_real_time(int priority)
+{
+  const sched_param parameters{priority};
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
 struct StampedCommand
@@ -45,7 +53,8 @@ class DrivesThread
 {
 public:
   explicit DrivesThread(const std::string& name)
-    : bus_(can::open_bus(name)), drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()), thread_([this] { run(); })
+    : bus_(can::open_bus(name)), drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()),
+      thread_([this] { run(); })
   {
   }
   ~DrivesThread()
@@ -57,6 +66,7 @@ public:
 private:
   void run()
   {
+    become_real_time(kDrivesPriority);
     for (double before = seconds(); !done_;)
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -77,7 +87,8 @@ class BridgeThread
 {
 public:
   BridgeThread(const std::string& name, CanLatency& latency)
-    : latency_(latency), bus_(can::open_bus(name)), bridge_(Robot(), options_), wake_(eventfd(0, EFD_NONBLOCK)),
+    : latency_(latency), bus_(can::open_bus(name)), bridge_(Robot(), options_), connection_(bridge_, *bus_),
+      wake_(eventfd(0, EFD_NONBLOCK)),
       thread_([this] { run(); })
   {
   }
@@ -88,7 +99,12 @@ public:
     close(wake_);
   }
 
-  BridgeStage stage() const { return stage_; }
+  /// As of the last cycle.
+  const can::BridgeReport& report()
+  {
+    reports_.take(report_);
+    return report_;
+  }
 
   /// What a callback does.
   void command(const WheelCommand& command)
@@ -100,13 +116,11 @@ public:
 private:
   void run()
   {
-    const sched_param priority{kPriority};
-    latency_.real_time = pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) == 0;
-    bridge_.set_link(bus_->recover(), seconds());
+    latency_.real_time = become_real_time(kBridgePriority);
     for (double next_cycle = seconds(); !done_;)
     {
       wait_until(next_cycle);
-      take_frames();
+      connection_.exchange(seconds());
       take_command();
       if (seconds() < next_cycle) continue;
       next_cycle += options_.cycle_time;
@@ -124,50 +138,50 @@ private:
     eventfd_read(wake_, &count);
   }
 
-  void take_frames()
-  {
-    can::Frame frame;
-    while (bus_->receive(frame) == BusStatus::ok) bridge_.receive(frame, seconds());
-    bridge_.outbox().flush(*bus_);
-  }
-
   void take_command()
   {
     StampedCommand newest;
     if (!mailbox_.take(newest)) return;
     const std::uint64_t before = bridge_.outbox().sent();
     bridge_.command(newest.command, seconds());
-    if (bridge_.outbox().flush(*bus_) != BusStatus::ok) return;
+    connection_.flush(seconds());
+    if (connection_.is_blocked()) return;
     latency_.microseconds.push_back(1e6 * (seconds() - newest.stamp));
     latency_.frames.push_back(static_cast<double>(bridge_.outbox().sent() - before));
   }
 
   void cycle()
   {
-    stage_ = bridge_.report().stage;
-    if (stage_ == BridgeStage::ready) bridge_.enable(seconds());
-    bridge_.cycle(seconds());
-    bridge_.outbox().flush(*bus_);
+    const can::BridgeReport report = bridge_.report();
+    if (report.stage == BridgeStage::ready) bridge_.enable(seconds());
+    reports_.put(report);
+    connection_.cycle(seconds());
   }
 
   CanLatency& latency_;
   const can::BridgeOptions options_;
   std::unique_ptr<can::Bus> bus_;
   can::Bridge bridge_;
+  can::BridgeConnection connection_;
   can::Mailbox<StampedCommand> mailbox_;
   int wake_;
-  std::atomic<BridgeStage> stage_{BridgeStage::link_down};
+  can::Mailbox<can::BridgeReport> reports_;
+  can::BridgeReport report_;
   std::atomic<bool> done_{false};
   std::thread thread_;
 };
 
-void wait_until_enabled(const BridgeThread& bridge)
+void expect_enabled(const can::BridgeReport& report)
 {
-  for (const double end = seconds() + 30.0; bridge.stage() != BridgeStage::enabled;)
-  {
-    if (seconds() > end) throw std::runtime_error(std::string("the bridge stays in ") + to_string(bridge.stage()));
+  if (report.stage == BridgeStage::enabled) return;
+  throw std::runtime_error(std::string("the bridge is in ") + to_string(report.stage) + ' ' + text_of(report.cause));
+}
+
+void wait_until_enabled(BridgeThread& bridge)
+{
+  for (const double end = seconds() + 30.0; bridge.report().stage != BridgeStage::enabled && seconds() < end;)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  expect_enabled(bridge.report());
 }
 
 }  // namespace
@@ -190,8 +204,7 @@ CanLatency measure_can_latency(const std::string& name, int commands)
     std::this_thread::sleep_for(std::chrono::microseconds(kMicrosecondsBetweenCommands - 5000 + random() % 10000));
     bridge.command(command);
   }
-  if (bridge.stage() != BridgeStage::enabled)
-    throw std::runtime_error(std::string("the bridge went to ") + to_string(bridge.stage()));
+  expect_enabled(bridge.report());
   return latency;
 }
 

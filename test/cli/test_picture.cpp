@@ -281,8 +281,8 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
   const OccupancyGrid grid{40, 20, 0.1, {3.0, -1.0, 0.0}, std::vector<std::int8_t>(800, 0)};
   const Pose pose{5.0, 0.0, 0.0};
   const std::vector<Corridor> corridors = {
-    {{region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}, {region(3.5, 0, 4, 0.25)}},
-    {{region(6, 0, 6.5, 0.5)}, {}}};
+    {{0.25, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}}, {-0.25, {region(3.5, 0, 4, 0.25)}}},
+    {{0.25, {region(6, 0, 6.5, 0.5)}}}};
   const std::string svg = drawn(grid, plan_in_all_modes(Robot(), pose), pose, pose, corridors);
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_EQ(count(svg, ">corridors<"), 1u);
@@ -293,14 +293,14 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
     const std::size_t at = svg.find(begin) + begin.size();
     return svg.substr(at, svg.find('"', at) - at);
   };
-  EXPECT_EQ(count(data_of("front"), "M"), 3u);
+  EXPECT_EQ(count(data_of("disc0"), "M"), 3u);
   EXPECT_LT(svg.find("class=\"corridor"), svg.find("class=\"footprints"));
 
   // The cell (5, 10) has its lower left corner at (3.5, 0).
   const std::vector<double> m = matrix_in(svg);
   double x = 0.0, y = 0.0, right = 0.0, top = 0.0;
-  ASSERT_EQ(std::sscanf(data_of("rear").c_str(), "M%lf,%lfL%*f,%*fL%lf,%lfL", &x, &y, &right, &top), 4)
-      << data_of("rear");
+  ASSERT_EQ(std::sscanf(data_of("disc1").c_str(), "M%lf,%lfL%*f,%*fL%lf,%lfL", &x, &y, &right, &top), 4)
+      << data_of("disc1");
   EXPECT_NEAR(std::min(x, right), m[0] * 5 + m[4], 0.05);
   EXPECT_NEAR(std::max(x, right), m[0] * 10 + m[4], 0.05);
   EXPECT_NEAR(std::max(y, top), m[3] * 10 + m[5], 0.05);

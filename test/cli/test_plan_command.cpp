@@ -149,7 +149,7 @@ TEST_F(PlanCommand, CorridorsAreDrawnWhenAskedForAndChangeNothingElse)
   EXPECT_EQ(content_of(path("p.svg")).find("class=\"corridor"), std::string::npos);
   ASSERT_EQ(run(easy() + files + Words{"--corridors"}).status, 0);
   EXPECT_EQ(content_of(path("p.csv")), csv);
-  for (const std::string disc : {"front", "rear"})
+  for (const std::string disc : {"disc0", "disc1"})
     EXPECT_NE(content_of(path("p.svg")).find("class=\"corridor " + disc + "\" d=\"M"), std::string::npos) << disc;
 }
 

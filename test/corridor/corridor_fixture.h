@@ -71,10 +71,10 @@ struct Scene
   const EveryObstacle every;
 };
 
-/// Centre of the front or rear disc.
-inline Pose disc_centre(const Pose& pose, const TwoDiscs& discs, bool is_front)
+/// Centre of a disc at `offset` on the body's x axis.
+inline Pose disc_centre(const Pose& pose, double offset)
 {
-  return compose(pose, {is_front ? discs.offset : -discs.offset, 0.0, 0.0});
+  return compose(pose, {offset, 0.0, 0.0});
 }
 
 /// Knots of a drive through free space about `spacing` apart, with cusps and changes of mode, at least two. The map

@@ -9,7 +9,7 @@ namespace fourwis
 {
 
 inline constexpr double kRounding = 1e-9;
-inline const TwoDiscs kDiscs = two_discs(Robot());
+inline const DiscCover kDiscs = disc_cover(Robot(), 2), kManyDiscs = disc_cover(Robot(), 5);
 
 inline double excess(const HalfPlane& plane, const Pose& point)
 {
@@ -38,22 +38,22 @@ struct Case
   double deficit;  ///< of the interval
 };
 
-/// Visits the regions of both discs, interval by interval.
+/// Visits the regions of all discs, interval by interval.
 template <typename Visit>
 void for_each_region(const PolytopeCorridor& corridor, const std::vector<Pose>& knots,
-                     const std::vector<double>& shrink, Visit visit)
+                     const std::vector<double>& shrink, Visit visit, const DiscCover& discs = kDiscs)
 {
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded) << corridor.message;
-  ASSERT_EQ(corridor.regions.front.size(), knots.size() - 1);
-  ASSERT_EQ(corridor.regions.rear.size(), knots.size() - 1);
+  ASSERT_EQ(corridor.regions.size(), discs.offsets.size());
+  for (const DiscRegions& disc : corridor.regions) ASSERT_EQ(disc.regions.size(), knots.size() - 1);
   ASSERT_EQ(corridor.deficit.size(), knots.size() - 1);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    for (bool is_front : {true, false})
+    for (std::size_t d = 0; d < discs.offsets.size(); ++d)
     {
-      SCOPED_TRACE("interval " + std::to_string(i) + (is_front ? ", front" : ", rear"));
-      visit(Case{(is_front ? corridor.regions.front : corridor.regions.rear)[i],
-                 disc_centre(knots[i], kDiscs, is_front), disc_centre(knots[i + 1], kDiscs, is_front),
-                 kDiscs.radius + (shrink.empty() ? 0.0 : shrink[i]), corridor.deficit[i]});
+      SCOPED_TRACE("interval " + std::to_string(i) + ", disc " + std::to_string(d));
+      EXPECT_EQ(corridor.regions[d].offset, discs.offsets[d]);
+      visit(Case{corridor.regions[d].regions[i], disc_centre(knots[i], discs.offsets[d]),
+                 disc_centre(knots[i + 1], discs.offsets[d]), discs.radius + (shrink.empty() ? 0.0 : shrink[i]), corridor.deficit[i]});
       if (testing::Test::HasFailure()) return;
     }
 }

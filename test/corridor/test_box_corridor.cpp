@@ -39,10 +39,10 @@ void for_each_box(const Scene& scene, const BoxCorridorResult& corridor, const s
     for (bool is_front : {true, false})
     {
       SCOPED_TRACE("knot " + std::to_string(i) + (is_front ? ", front" : ", rear"));
-      const Pose waypoint = disc_centre(knots[i], kDiscs, is_front);
+      const Pose waypoint = disc_centre(knots[i], is_front ? kDiscs.offset : -kDiscs.offset);
       const std::size_t from = std::min(i, knots.size() - 2);
-      const Pose begin = disc_centre(knots[from], kDiscs, is_front);
-      const Pose end = disc_centre(knots[from + 1], kDiscs, is_front);
+      const Pose begin = disc_centre(knots[from], is_front ? kDiscs.offset : -kDiscs.offset);
+      const Pose end = disc_centre(knots[from + 1], is_front ? kDiscs.offset : -kDiscs.offset);
       visit(Case{(is_front ? corridor.regions.front : corridor.regions.rear)[i], waypoint,
                  Pose{end.x - begin.x, end.y - begin.y, 0.0},
                  std::min(kDiscs.radius, scene.every.distance(waypoint.x, waypoint.y))});

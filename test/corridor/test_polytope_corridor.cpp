@@ -18,8 +18,8 @@ TEST(PolytopeCorridor, NextToAWallTheRegionReachesTheWallAndTheRange)
   const PolytopeCorridor corridor =
       polytope_corridor(obstacles, kDiscs, options, {{5.0, 2.0, 0.0}, {5.2, 2.0, 0.0}});
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded);
-  const double front = 5.0 + kDiscs.offset, wall = 1.0 + kDiscs.radius;
-  const std::vector<Point2> ends = corners(corridor.regions.front[0], {5.0, 2.0}, 50.0);
+  const double front = 5.0 + kDiscs.offsets[0], wall = 1.0 + kDiscs.radius;
+  const std::vector<Point2> ends = corners(corridor.regions[0].regions[0], {5.0, 2.0}, 50.0);
   ASSERT_EQ(ends.size(), 4u);
   for (const Point2& expected :
        {Point2{front - 1.5, wall}, {front + 1.7, wall}, {front + 1.7, 3.5}, {front - 1.5, 3.5}})
@@ -49,14 +49,14 @@ TEST(PolytopeCorridor, AGapAsWideAsTheDiscsLeavesTheChord)
 {
   OccupancyGrid grid = above_a_wall();
   occupy_block(grid, 0, 40, 200, 20);  // from y = 2 on: 1 m wide
-  const TwoDiscs discs{0.25, 0.5};
+  const DiscCover discs{{0.25, -0.25}, 0.5};
   const std::vector<Pose> knots{{5.0, 1.5, 0.0}, {5.2, 1.5, 0.0}};
   const PolytopeCorridor corridor = polytope_corridor(ObstacleRectangles(ObstacleMap(grid)), discs, {}, knots);
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded);
   EXPECT_NEAR(corridor.deficit[0], 0.0, 1e-9);
-  for (double x : {4.0, 5.0, 6.0}) EXPECT_LE(excess(corridor.regions.rear[0], {x, 1.5, 0.0}), 1e-9);
-  EXPECT_GE(excess(corridor.regions.rear[0], {5.0, 1.501, 0.0}), 0.0009);
-  EXPECT_GE(excess(corridor.regions.rear[0], {5.0, 1.499, 0.0}), 0.0009);
+  for (double x : {4.0, 5.0, 6.0}) EXPECT_LE(excess(corridor.regions[1].regions[0], {x, 1.5, 0.0}), 1e-9);
+  EXPECT_GE(excess(corridor.regions[1].regions[0], {5.0, 1.501, 0.0}), 0.0009);
+  EXPECT_GE(excess(corridor.regions[1].regions[0], {5.0, 1.499, 0.0}), 0.0009);
 }
 
 TEST(PolytopeCorridor, KnotsThatCoincideGetARegionAroundThePoint)
@@ -81,7 +81,7 @@ TEST(PolytopeCorridor, AReferenceInAnObstacleOrOutsideTheMapIsReported)
     const PolytopeCorridor corridor = polytope_corridor(obstacles, kDiscs, {}, {good, good, bad});
     EXPECT_EQ(corridor.status, CorridorStatus::in_collision) << bad.x << " " << bad.y;
     EXPECT_NE(corridor.message.find("knots 1 and 2"), std::string::npos) << corridor.message;
-    EXPECT_TRUE(corridor.regions.front.empty() && corridor.regions.rear.empty() && corridor.deficit.empty());
+    EXPECT_TRUE(corridor.regions.empty() && corridor.deficit.empty());
   }
 }
 

@@ -11,8 +11,8 @@ namespace fourwis::ocp
 /// A random problem with curved dynamics and rows, at a random point inside of its bounds.
 struct RandomPoint
 {
-  static constexpr int NX = 4, NU = 2, NR = 5, NZ = NX + NU;
-  using Model = RandomModel<NX, NU, NR>;
+  static constexpr int NX = 4, NU = 2, NR = 3, NW = 1, NZ = NX + NU;
+  using Model = RandomModel<NX, NU, NR, NW>;
   using Point = Iterate<NX, NU>;
 
   Random random;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -28,11 +29,12 @@ private:
 };
 
 /// Quadratic costs, dynamics and rows with random coefficients:
-///   l = 1/2 z' Q z + q' z,   F_i = A_i z + b_i + 1/2 bend z' C z,   g_j = a_j' r + 1/2 bend r' D r.
-template <int NX, int NU, int NR>
-struct RandomModel : ModelBase<NX, NU, NR>
+///   l = 1/2 z' Q z + q' z,   F_i = A_i z + b_i + 1/2 bend z' C z,   g_j = a_j' r + 1/2 bend r' D r,
+/// D being another one for wide rows.
+template <int NX, int NU, int NR, int NW = 0>
+struct RandomModel : ModelBase<NX, NU, NR, NW>
 {
-  using Base = ModelBase<NX, NU, NR>;
+  using Base = ModelBase<NX, NU, NR, NW>;
   using typename Base::Control;
   using typename Base::Derivatives;
   using typename Base::Gradients;
@@ -41,7 +43,7 @@ struct RandomModel : ModelBase<NX, NU, NR>
   using typename Base::State;
   using typename Base::Terminal;
   using typename Base::Value;
-  static constexpr int NZ = NX + NU;
+  static constexpr int NZ = NX + NU, NQ = Base::kRowPoint;
   static constexpr int kMostRows = 3;
 
   struct Stage
@@ -50,8 +52,8 @@ struct RandomModel : ModelBase<NX, NU, NR>
     Vector<NZ> q;
     Matrix<NX, NZ> A;
     Vector<NX> b;
-    std::vector<Vector<NR>> a;
-    Matrix<NR, NR> D;
+    std::vector<Vector<NQ>> a;
+    Matrix<NQ, NQ> D, wide_D;
   };
   std::vector<Stage> stages;  ///< N + 1
   double bend = 0.0;
@@ -67,20 +69,25 @@ struct RandomModel : ModelBase<NX, NU, NR>
       stage.q = random.matrix<NZ, 1>();
       stage.A = 0.7 * random.matrix<NX, NZ>();
       stage.b = random.matrix<NX, 1>();
-      stage.D = random.matrix<NR, NR>();
+      stage.D = random.matrix<NQ, NQ>();
       stage.Q = (stage.Q + stage.Q.transpose()).eval() / 2.0 + convexity * Matrix<NZ, NZ>::Identity();
       stage.C = (stage.C + stage.C.transpose()).eval() / 2.0;
       stage.D = (stage.D + stage.D.transpose()).eval() / 2.0;
-      for (int i = 0; i < kMostRows; ++i) stage.a.push_back(random.matrix<NR, 1>());
-      if (k == intervals)
+      const int narrow = k == intervals ? std::min(NR, NX) : NR;
+      stage.D.rightCols(NQ - narrow).setZero();
+      stage.D.bottomRows(NQ - narrow).setZero();
+      for (int i = 0; i < kMostRows; ++i)
       {
-        for (auto& a : stage.a) a.template tail<(NR > NX ? NR - NX : 0)>().setZero();
-        stage.D.template rightCols<(NR > NX ? NR - NX : 0)>().setZero();
-        stage.D.template bottomRows<(NR > NX ? NR - NX : 0)>().setZero();
+        stage.a.push_back(random.matrix<NQ, 1>());
+        if (k == intervals || i >= NW) stage.a.back().tail(NQ - narrow).setZero();
       }
+      stage.wide_D = stage.D;
+      if (NW > 0 && k < intervals) stage.wide_D += Matrix<NQ, NQ>::Identity();
       stages.push_back(stage);
     }
   }
+
+  const Matrix<NQ, NQ>& curvature(int k, int row) const { return row < NW ? stages[k].wide_D : stages[k].D; }
 
   static Vector<NZ> join(const State& x, const Control& u)
   {
@@ -121,13 +128,16 @@ struct RandomModel : ModelBase<NX, NU, NR>
 
   void rows(int k, const RowPoint& r, RowValues values) const
   {
-    for (int i = 0; i < values.size(); ++i) values[i] = stages[k].a[i].dot(r) + 0.5 * bend * r.dot(stages[k].D * r);
+    for (int i = 0; i < values.size(); ++i) values[i] = stages[k].a[i].dot(r) + 0.5 * bend * r.dot(curvature(k, i) * r);
   }
 
   void differentiate_rows(int k, const RowPoint& r, RowMultipliers y, Gradients gradients, RowHessian& hessian) const
   {
-    for (int i = 0; i < y.size(); ++i) gradients.col(i) = stages[k].a[i] + bend * (stages[k].D * r);
-    hessian = bend * y.sum() * stages[k].D;
+    for (int i = 0; i < y.size(); ++i)
+    {
+      gradients.col(i) = stages[k].a[i] + bend * (curvature(k, i) * r);
+      hessian += bend * y[i] * curvature(k, i);
+    }
   }
 };
 
@@ -148,8 +158,8 @@ Trajectory<Model::kStates, Model::kControls> roll_out(const Model& model, const 
 
 /// Random bounds (about every other one missing), rows (elastic and hard) and terminal components, which all hold
 /// strictly on a random motion of the model.
-template <int NX, int NU, int NR>
-Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR>& model, int rows_per_stage, Random& random)
+template <int NX, int NU, int NR, int NW>
+Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR, NW>& model, int rows_per_stage, Random& random)
 {
   const int intervals = static_cast<int>(model.stages.size()) - 1;
   std::vector<Vector<NU>> controls;
@@ -169,7 +179,7 @@ Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR>& model, int rows_pe
       if (random() > 0.0) problem.bounds[k].upper[i] = z[i] + 0.6 + 0.5 * random();
     }
     Eigen::VectorXd values(rows_per_stage);
-    model.rows(k, z.template head<NR>(), {values.data(), rows_per_stage});
+    model.rows(k, z.template head<RandomModel<NX, NU, NR, NW>::NQ>(), {values.data(), rows_per_stage});
     for (int i = 0; i < rows_per_stage; ++i)
       problem.add_row(k, {values[i] + 0.6 + 0.5 * random(), random() > 0.0 ? 10.0 + 5.0 * random() : kInfinity});
   }

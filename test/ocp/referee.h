@@ -13,7 +13,7 @@ template <class Model>
 class Referee
 {
 public:
-  static constexpr int NX = Model::kStates, NU = Model::kControls, NR = Model::kRowVariables, NZ = NX + NU;
+  static constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint, NZ = NX + NU;
 
   Referee(const Model& model, const Problem<NX, NU>& problem, const Solution<NX, NU>& solution, double tolerance)
     : model_(model), problem_(problem), x_(solution.trajectory), y_(solution.multipliers), tolerance_(tolerance)
@@ -74,7 +74,7 @@ private:
   void expect_rows(int k, int first) const
   {
     Eigen::VectorXd values(problem_.row_counts[k]);
-    model_.rows(k, z(k).template head<NR>(), {values.data(), values.size()});
+    model_.rows(k, z(k).template head<NQ>(), {values.data(), values.size()});
     for (int i = 0; i < values.size(); ++i)
     {
       const RowLimit& limit = problem_.rows[first + i];
@@ -113,13 +113,13 @@ private:
   Vector<NZ> row_gradient(int k, int first) const
   {
     const int count = problem_.row_counts[k];
-    Eigen::Matrix<double, NR, Eigen::Dynamic> gradients(NR, count);
+    Eigen::Matrix<double, NQ, Eigen::Dynamic> gradients(NQ, count);
     gradients.setZero();
     const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(y_.rows.data() + first, count);
     typename Model::RowHessian hessian = Model::RowHessian::Zero();
-    model_.differentiate_rows(k, z(k).template head<NR>(), {y.data(), count}, {gradients.data(), NR, count}, hessian);
+    model_.differentiate_rows(k, z(k).template head<NQ>(), {y.data(), count}, {gradients.data(), NQ, count}, hessian);
     Vector<NZ> result = Vector<NZ>::Zero();
-    result.template head<NR>() = gradients * y;
+    result.template head<NQ>() = gradients * y;
     return result;
   }
 
@@ -145,8 +145,8 @@ template <class Model>
 void expect_derivatives(const Model& model, int k, const Vector<Model::kStates + Model::kControls>& z,
                         const Vector<Model::kStates>& lambda, const Eigen::VectorXd& y, double tolerance = 1e-7)
 {
-  constexpr int NX = Model::kStates, NU = Model::kControls, NR = Model::kRowVariables, NZ = NX + NU;
-  using Wide = Eigen::Matrix<double, NR, Eigen::Dynamic>;
+  constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint, NZ = NX + NU;
+  using Wide = Eigen::Matrix<double, NQ, Eigen::Dynamic>;
   const auto value = [&](const Vector<NZ>& at)
   {
     typename Model::Value result;
@@ -162,18 +162,18 @@ void expect_derivatives(const Model& model, int k, const Vector<Model::kStates +
   const auto row_values = [&](const Vector<NZ>& at)
   {
     Eigen::VectorXd result(y.size());
-    model.rows(k, at.template head<NR>(), {result.data(), result.size()});
+    model.rows(k, at.template head<NQ>(), {result.data(), result.size()});
     return result;
   };
-  const auto row_derivative = [&](const Vector<NZ>& at, Matrix<NR, NR>& hessian)
+  const auto row_derivative = [&](const Vector<NZ>& at, Matrix<NQ, NQ>& hessian)
   {
-    Wide result = Wide::Zero(NR, y.size());
+    Wide result = Wide::Zero(NQ, y.size());
     hessian.setZero();
-    model.differentiate_rows(k, at.template head<NR>(), {y.data(), y.size()}, {result.data(), NR, y.size()}, hessian);
+    model.differentiate_rows(k, at.template head<NQ>(), {y.data(), y.size()}, {result.data(), NQ, y.size()}, hessian);
     return result;
   };
   const double step = 1e-5;
-  Matrix<NR, NR> row_hessian, unused;
+  Matrix<NQ, NQ> row_hessian, unused;
   const auto here = derivative(z);
   const Wide row_gradients = row_derivative(z, row_hessian);
   EXPECT_EQ(here.hessian, here.hessian.transpose());
@@ -187,7 +187,7 @@ void expect_derivatives(const Model& model, int k, const Vector<Model::kStates +
     EXPECT_LT((here.jacobian.col(i) - (v1.defect - v0.defect) / (2 * step)).norm(), tolerance);
     const Vector<NZ> change = d1.gradient - d0.gradient + (d1.jacobian - d0.jacobian).transpose() * lambda;
     EXPECT_LT((here.hessian.col(i) - change / (2 * step)).norm(), tolerance);
-    if (i >= NR || y.size() == 0) continue;
+    if (i >= NQ || y.size() == 0) continue;
     const Eigen::VectorXd slope = (row_values(after) - row_values(before)) / (2 * step);
     EXPECT_LT((row_gradients.row(i).transpose() - slope).norm(), tolerance);
     const Wide turn = (row_derivative(after, unused) - row_derivative(before, unused)) / (2 * step);

@@ -80,7 +80,7 @@ struct Conditions : RandomPoint
     gradient.head<NX>() -= stage.lambda;
     if (k == intervals) gradient.head<NX>() += at.nu;
     for (int i = limits.first_row[k]; i < limits.first_row[k + 1]; ++i)
-      gradient.head<NR>() += at.rows[i].multiplier * derivative.rows[i];
+      gradient.head<Model::kRowPoint>() += at.rows[i].multiplier * derivative.rows[i];
     for (int i = k == 0 ? NX : 0; i < (k < intervals ? NZ : NX); ++i) result.push_back(gradient[i]);
   }
 

@@ -153,7 +153,7 @@ TEST(SolverHard, OneIntervalIsEnough)
 
 TEST(SolverHard, RandomNumbersAsAProblemAlwaysEnd)
 {
-  using Model = RandomModel<3, 2, 4>;
+  using Model = RandomModel<3, 2, 2, 1>;
   Solver<Model> solver;
   int solved = 0, unsolved = 0;
   for (unsigned seed = 0; seed < 300; ++seed)

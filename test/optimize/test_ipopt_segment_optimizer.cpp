@@ -41,7 +41,7 @@ struct Straight
   {
     const Polytope wide = {{1, 0, 3}, {-1, 0, 3}, {0, 1, 3}, {0, -1, 3}};
     for (int k = 0; k <= 5; ++k) segment.knots.push_back({0.2 * k, 0.0, 0.0});
-    corridor.front = corridor.rear = std::vector<Polytope>(5, wide);
+    for (double offset : {0.25, -0.25}) corridor.push_back({offset, std::vector<Polytope>(5, wide)});
   }
 };
 
@@ -64,7 +64,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
       for (const Segment& segment : split_at_switches(path, robot, options.spacing))
       {
         const PolytopeCorridor corridor =
-            polytope_corridor(ObstacleRectangles(site.map), site.checker.discs(), {}, segment.knots);
+            polytope_corridor(ObstacleRectangles(site.map), disc_cover(robot, 2), {}, segment.knots);
         if (corridor.status == CorridorStatus::succeeded) visit(segment, corridor.regions);
       }
     }
@@ -74,7 +74,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
   double improved_duration(const Segment& segment, const Corridor& corridor, const Trajectory& points) const
   {
     const MotionLimits limits(robot, segment.mode, kSpeed);
-    const SegmentProblem problem = segment_problem(segment, corridor, robot, options, limits, nullptr, {});
+    const SegmentProblem problem = segment_problem(segment, corridor, robot, options, limits, {});
     const OcpNlp<SegmentModel> program(problem.model, problem.numbers, guess_from(points));
     IpoptOptions nearby;
     nearby.tolerance = kTolerance;
@@ -144,7 +144,7 @@ TEST_F(IpoptSegmentOptimizerTest, SaysThatAProblemMakesNoSense)
   expect_refused("invalid_problem", [](Straight& p) { p.segment.mode = Mode::spin; });
   expect_refused("invalid_problem", [](Straight& p) { p.segment.knots.pop_back(); });
   expect_refused("invalid_problem", [](Straight& p) { p.segment.length.pop_back(); });
-  expect_refused("invalid_problem", [](Straight& p) { p.corridor.front.pop_back(); });
+  expect_refused("invalid_problem", [](Straight& p) { p.corridor[0].regions.pop_back(); });
   expect_refused("invalid_problem", [](Straight& p) { p.corridor = {}; });
   for (double bad : {kNaN, kInfinity})
   {
@@ -153,7 +153,7 @@ TEST_F(IpoptSegmentOptimizerTest, SaysThatAProblemMakesNoSense)
     expect_refused("invalid_problem", [&](Straight& p) { p.segment.phi[0] = bad; });
     expect_refused("invalid_problem", [&](Straight& p) { p.segment.length[3] = bad; });
   }
-  expect_refused("invalid_problem", [](Straight& p) { p.corridor.rear[1][0].c = kNaN; });
+  expect_refused("invalid_problem", [](Straight& p) { p.corridor[1].regions[1][0].c = kNaN; });
 }
 
 TEST_F(IpoptSegmentOptimizerTest, IsNotSolvedWhereTheGoalIsOutOfReachOrItIsInterrupted)

@@ -62,6 +62,8 @@ Subject<PlannerOptions> subject_of()
            {"shortest_interval", [](const O& o) { return o.optimize.shortest_interval; }},
            {"longest_interval", [](const O& o) { return o.optimize.longest_interval; }},
            {"longest_at_rest", [](const O& o) { return o.optimize.longest_at_rest; }},
+           {"corridor_discs", [](const O& o) { return o.optimize.corridor_discs; }},
+           {"polish_discs", [](const O& o) { return o.optimize.polish_discs; }},
            {"corridor_range", [](const O& o) { return o.optimize.corridor_range; }},
            {"outer_iterations", [](const O& o) { return double(o.optimize.outer_iterations); }},
            {"repairs", [](const O& o) { return double(o.optimize.repairs); }},

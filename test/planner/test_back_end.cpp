@@ -97,6 +97,24 @@ TEST_F(BackEnd, IsNeverSlowerThanStoppingToSteer)
   });
 }
 
+TEST_F(BackEnd, PolishingArrivesEarlierOrChangesNothing)
+{
+  int earlier = 0, scenes = 0;
+  for_scenes(200, [&](const Scene& scene) {
+    const Refinement before = refine(scene);
+    Refinement after = before;
+    polish(scene.checker, scene.obstacles, robot, options, kSpeed, {}, after);
+    const bool is_earlier = after.trajectory.back().t < before.trajectory.back().t;
+    EXPECT_TRUE(is_earlier || same(after.trajectory, before.trajectory));
+    ++scenes;
+    earlier += is_earlier;
+    const Verdict verdict = Referee(scene.grid, ObstacleRule(), robot)
+                                .judge(scene.request.start, scene.request.goal, after.trajectory);
+    EXPECT_TRUE(verdict.accepted()) << verdict.violations.front().what;
+  });
+  EXPECT_GT(earlier, scenes / 4) << "of " << scenes;
+}
+
 TEST_F(BackEnd, GivesTheSameAnswerEachTime)
 {
   for_scenes(20, [&](const Scene& scene) {
@@ -117,7 +135,7 @@ TEST_F(BackEnd, StopsToSteerWhenTheTimeIsOver)
   const Scene scene(kFirstSeed + 6, 0.1, robot);
   ASSERT_EQ(scene.found.status, PlanStatus::succeeded);
   const Refinement late = refine(scene, Interrupt(nullptr, Interrupt::Clock::now()));
-  EXPECT_EQ(late.fallbacks, late.segments);
+  EXPECT_EQ(late.fallbacks, static_cast<int>(late.parts.size()));
   EXPECT_TRUE(Referee(scene.grid, ObstacleRule(), robot)
                   .judge(scene.request.start, scene.request.goal, late.trajectory)
                   .accepted());

@@ -148,29 +148,25 @@ double area(const Marker& triangles)
 
 TEST(Markers, corridors_are_translucent_and_cover_their_regions)
 {
-  const std::vector<Corridor> corridors = {{{region(0, 0, 1, 1), region(1, 0, 3, 2)}, {region(-1, 0, 0, 0.5)}},
-                                           {{region(3, 0, 4, 1)}, {region(0, 0, 0.5, 0.5)}}};
-  const MarkerArray array = corridor_markers(corridors, {0, 0, 0}, {});
-  ASSERT_EQ(array.markers.size(), 2u);
-  EXPECT_NEAR(area(named(array, "front_corridor")), 6.0, 1e-6);
-  EXPECT_NEAR(area(named(array, "rear_corridor")), 0.75, 1e-6);
-  for (const Marker& marker : array.markers)
+  const std::vector<Corridor> corridors = {
+      {{0.25, {region(0, 0, 1, 1), region(1, 0, 3, 2)}}, {-0.25, {region(-1, 0, 0, 0.5)}}},
+      {{0.25, {region(3, 0, 4, 1)}}, {-0.25, {region(0, 0, 0.5, 0.5)}}}};
+  const Marker marker = corridor_marker(corridors, {0, 0, 0}, {});
+  EXPECT_NEAR(area(marker), 6.75, 1e-6);
+  EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
+  EXPECT_EQ(marker.points.size() % 3, 0u);
+  EXPECT_GT(marker.color.a, 0.0);
+  EXPECT_LT(marker.color.a, 0.2);
+  for (const auto& corner : marker.points)
   {
-    EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);
-    EXPECT_EQ(marker.points.size() % 3, 0u);
-    EXPECT_GT(marker.color.a, 0.0);
-    EXPECT_LT(marker.color.a, 0.2);
-    for (const auto& corner : marker.points)
-    {
-      EXPECT_TRUE(corner.x >= -1.0 - 1e-6 && corner.x <= 4.0 + 1e-6) << corner.x;
-      EXPECT_TRUE(corner.y >= -1e-6 && corner.y <= 2.0 + 1e-6) << corner.y;
-    }
+    EXPECT_TRUE(corner.x >= -1.0 - 1e-6 && corner.x <= 4.0 + 1e-6) << corner.x;
+    EXPECT_TRUE(corner.y >= -1e-6 && corner.y <= 2.0 + 1e-6) << corner.y;
   }
 }
 
 TEST(Markers, a_plan_without_corridors_removes_those_drawn_before)
 {
-  for (const Marker& marker : corridor_markers({}, {}, {}).markers) EXPECT_EQ(marker.action, Marker::DELETE);
+  EXPECT_EQ(corridor_marker({}, {}, {}).action, Marker::DELETE);
 }
 
 }  // namespace

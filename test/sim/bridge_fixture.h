@@ -28,8 +28,8 @@ protected:
   {
   }
   /// The bridge expects something else than what the drives are.
-  BridgeFixture(const can::BridgeOptions& expected, const can::BridgeOptions& real, const can::MemoryBusOptions& bus_options)
-    : MemoryEnds(bus_options),
+  BridgeFixture(const can::BridgeOptions& expected, const can::BridgeOptions& real, const can::MemoryBusOptions& memory)
+    : MemoryEnds(memory),
       BridgeBench(*end, *drives_end, [this](double now) { bus.advance(now); }, expected, real)
   {
   }

@@ -109,7 +109,7 @@ TEST_F(FakeDrivesTest, SilenceOfTheMasterIsAQuickStopWithin100Ms)
   EXPECT_NEAR(fastest_wheel(), 0.0, 1e-3) << "5 m/s^2 from 1 m/s";
   for (std::uint32_t node = 1; node <= 8; ++node)
   {
-    EXPECT_EQ(recorder.of(0x080 + node).back(), raw(0x080 + node, {0x30, 0x81, 0x11, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(recorder.of(0x080 + node).back(), raw(0x080 + node, {0x30, 0x81, 0x11, 100, 0, 0, 0, 0}));
     EXPECT_EQ(drives.drive(static_cast<int>(node)).nmt_state(), NmtState::stopped);
   }
 }

@@ -8,7 +8,7 @@ namespace
 {
 
 const can::Frame kMasterAlive = raw(0x77F, {0x05});
-const can::Frame kHeartbeatLost = raw(0x085, {0x30, 0x81, 0x11, 0, 0, 0, 0, 0});
+const can::Frame kHeartbeatLost = raw(0x085, {0x30, 0x81, 0x11, 100, 0, 0, 0, 0});
 
 TEST(Network, SaysHelloOnceBooted)
 {

@@ -34,7 +34,10 @@ public:
     EXPECT_EQ(ioctl(port_, TIOCSETD, &slcan), 0) << "no slcan in this kernel";
     ifreq interface{};
     EXPECT_EQ(ioctl(port_, SIOCGIFNAME, interface.ifr_name), 0);
-    run("ip link set " + std::string(interface.ifr_name) + " name scan0 && ip link set scan0 up");
+    const std::string name = interface.ifr_name;
+    // The kernel makes it in the first network namespace, whichever this one is.
+    run("ip link show " + name + " >/dev/null 2>&1 || nsenter --net=/proc/1/ns/net ip link set " + name + " netns $$");
+    run("ip link set " + name + " name scan0 && ip link set scan0 up");
   }
   ~SerialAdapter()
   {

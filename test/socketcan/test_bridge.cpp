@@ -14,8 +14,8 @@ namespace
 class VcanEnds
 {
 protected:
-  /// The kernel may deliver frames a little later, which must not look like simulated time: waits until all that was sent
-  /// has come, unless it was lost with the link.
+  /// The kernel may deliver frames a little later, which must not look like simulated time: waits until all that was
+  /// sent has come, unless it was lost with the link.
   void settle()
   {
     const auto sent = [this] { return bridge_end->counters().sent + drives_end->counters().sent; };

@@ -26,7 +26,7 @@ using PolytopeCorridor = CorridorResult<Corridor>;
 /// two knots. The region of the interval
 ///  - contains that chord, always;
 ///  - keeps the distance min(r_c + shrink, distance of the chord) to every obstacle and to the map's border: `deficit`
-///    is how much the second is less than the first, for the worse of the two discs. The chord of an arc whose every
+///    is how much the second is less than the first, for the worst of the discs. The chord of an arc whose every
 ///    point is r_c away may come closer by the arc's sagitta: the region then gives way by that much, towards that
 ///    obstacle only;
 ///  - is an intersection of half-planes, each of them as far out as its obstacle or the range allows.
@@ -41,7 +41,7 @@ using PolytopeCorridor = CorridorResult<Corridor>;
 /// `shrink` (one per interval, or none) makes regions smaller [m] where a trajectory came too close between knots; not
 /// negative. Coinciding knots are fine. Throws std::invalid_argument naming the option unless `range` is positive and
 /// finite and `max_half_planes` at least 4.
-PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs,
+PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const DiscCover& discs,
                                    const PolytopeOptions& options, const std::vector<Pose>& knots,
                                    const std::vector<double>& shrink = {});
 

@@ -20,13 +20,16 @@ struct Box
   double x_min, y_min, x_max, y_max;
 };
 
-/// Regions for the disc centres, one of each per interval of a segment. Any point of one is at least r_c away from every
-/// obstacle.
-struct Corridor
+/// Where the centre of one of the discs that cover the body may be.
+struct DiscRegions
 {
-  std::vector<Polytope> front;
-  std::vector<Polytope> rear;
+  double offset;                  ///< of the centre, along the body's x axis [m]
+  std::vector<Polytope> regions;  ///< one per interval of a segment
 };
+
+/// The regions of all discs, from front to rear. Any point of a region is at least the discs' radius away from every
+/// obstacle.
+using Corridor = std::vector<DiscRegions>;
 
 /// The paper's regions, one of each per knot.
 struct BoxCorridor

@@ -71,9 +71,10 @@ void Constraints<NX, NU>::set(const Problem<NX, NU>& problem)
   for (const int count : problem.row_counts) first_row.push_back(first_row.back() + count);
 }
 
-/// Whether sizes fit, given states are finite, lower <= upper, weights are positive, and row limits are finite.
+/// Whether sizes fit, given states are finite, lower <= upper, weights are positive, and row limits are finite. Each stage
+/// but the last has at least `wide_rows` rows.
 template <int NX, int NU>
-bool is_valid(const Problem<NX, NU>& problem)
+bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
 {
   if (problem.intervals() < 1 || problem.row_counts.size() != problem.bounds.size()) return false;
   if (!problem.initial_state.allFinite()) return false;
@@ -84,9 +85,10 @@ bool is_valid(const Problem<NX, NU>& problem)
           (bound.upper.array() > -kInfinity)).all())
       return false;
   std::size_t rows = 0;
-  for (const int count : problem.row_counts)
+  for (std::size_t k = 0; k < problem.row_counts.size(); ++k)
   {
-    if (count < 0) return false;
+    const int count = problem.row_counts[k];
+    if (count < (k + 1 < problem.row_counts.size() ? wide_rows : 0)) return false;
     rows += count;
   }
   return rows == problem.rows.size() &&

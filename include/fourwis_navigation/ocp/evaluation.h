@@ -29,10 +29,10 @@ struct Values
 template <class Model>
 struct Derivatives
 {
-  static constexpr int NX = Model::kStates, NU = Model::kControls, NR = Model::kRowVariables;
+  static constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint;
 
   std::vector<StageDerivatives<NX, NU>> stages;  ///< N + 1; of the last only what concerns x_N
-  std::vector<Vector<NR>> rows;                  ///< dg_i/dq
+  std::vector<Vector<NQ>> rows;                  ///< dg_i/dq
 
   void resize(std::size_t stage_count, std::size_t row_count)
   {
@@ -71,7 +71,7 @@ void evaluate_rows(const Model& model, const Constraints& constraints, const Ite
   {
     const int first = constraints.first_row[k], end = constraints.first_row[k + 1];
     if (first == end) continue;
-    model.rows(k, at.stages[k].z.template head<Model::kRowVariables>(), {&values.rows[first], end - first});
+    model.rows(k, at.stages[k].z.template head<Model::kRowPoint>(), {&values.rows[first], end - first});
   }
   for (std::size_t i = 0; i < at.rows.size(); ++i)
     values.residuals.rows[i] = values.rows[i] - constraints.rows[i].upper - at.rows[i].excess + at.rows[i].slack;
@@ -126,7 +126,7 @@ template <class Model, class Iterate, class Constraints>
 void differentiate_rows(const Model& model, const Constraints& constraints, const Iterate& at, std::vector<double>& y,
                         Derivatives<Model>& derivatives)
 {
-  constexpr int NR = Model::kRowVariables;
+  constexpr int NQ = Model::kRowPoint;
   for (int k = 0; k <= constraints.intervals(); ++k)
   {
     const int first = constraints.first_row[k], end = constraints.first_row[k + 1];
@@ -137,9 +137,9 @@ void differentiate_rows(const Model& model, const Constraints& constraints, cons
       derivatives.rows[i].setZero();
     }
     typename Model::RowHessian hessian = Model::RowHessian::Zero();
-    model.differentiate_rows(k, at.stages[k].z.template head<NR>(), {&y[first], end - first},
-                             {derivatives.rows[first].data(), NR, end - first}, hessian);
-    derivatives.stages[k].hessian.template topLeftCorner<NR, NR>() += hessian;
+    model.differentiate_rows(k, at.stages[k].z.template head<NQ>(), {&y[first], end - first},
+                             {derivatives.rows[first].data(), NQ, end - first}, hessian);
+    derivatives.stages[k].hessian.template topLeftCorner<NQ, NQ>() += hessian;
   }
 }
 

@@ -51,11 +51,12 @@ using RowGradients = Eigen::Map<Eigen::Matrix<double, NR, Eigen::Dynamic>>;
 ///                           RowHessian& hessian) const;
 /// for the rows g_i(q) of stages 0 <= k <= N with rows, q being the first NR components of (x_k, u_k),
 /// `gradients.col(i)` = dg_i/dq and `hessian` = sum_i y_i d2g_i/dq2. At k = N the controls in q are 0 and must not
-/// matter.
+/// matter. With NW > 0, q is all of (x_k, u_k), and the first NW rows of each stage k < N, which must exist, depend on all of
+/// it, the others still on the first NR components only: many rows of few variables stay cheap beside few of many.
 ///
 /// Every derivative is zero before the call: only what differs from zero must be written. Functions must not keep state
 /// between calls. Values that are not finite reject a step; they are no error.
-template <int NX, int NU, int NR = NX>
+template <int NX, int NU, int NR = NX, int NW = 0>
 struct ModelBase
 {
   static_assert(NX >= 1 && NU >= 1 && NR >= 1 && NR <= NX + NU, "rows are functions of leading components of (x, u)");
@@ -63,15 +64,17 @@ struct ModelBase
   static constexpr int kStates = NX;
   static constexpr int kControls = NU;
   static constexpr int kRowVariables = NR;
+  static constexpr int kWideRows = NW;
+  static constexpr int kRowPoint = NW > 0 ? NX + NU : NR;  ///< size of q
 
   using State = Vector<NX>;
   using Control = Vector<NU>;
   using Value = StageValue<NX>;
   using Derivatives = StageDerivatives<NX, NU>;
   using Terminal = TerminalDerivatives<NX>;
-  using RowPoint = Vector<NR>;
-  using Gradients = RowGradients<NR>;
-  using RowHessian = Matrix<NR, NR>;
+  using RowPoint = Vector<kRowPoint>;
+  using Gradients = RowGradients<kRowPoint>;
+  using RowHessian = Matrix<kRowPoint, kRowPoint>;
 
   double terminal_cost(const State&) const { return 0.0; }
   void differentiate_terminal(const State&, Terminal&) const {}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "fourwis_navigation/ocp/evaluation.h"
 #include "fourwis_navigation/ocp/riccati.h"
 
@@ -71,6 +73,13 @@ public:
   void solve(const Residuals<NX>& residuals, Point& step);
 
 private:
+  template <int N>
+  using Width = std::integral_constant<int, N>;
+
+  /// Calls visit(i, v) for the rows of stage k; the row's gradient is zero beyond the first v components.
+  template <class Visit>
+  void for_rows(int k, Visit visit) const;
+
   void add_row_hessians(int k);
   void set_gradients(const Residuals<NX>& residuals);
   void finish_step(const Residuals<NX>& residuals, Point& step) const;
@@ -113,15 +122,25 @@ void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const 
 }
 
 template <class Model>
+template <class Visit>
+void NewtonSystem<Model>::for_rows(int k, Visit visit) const
+{
+  int i = limits_->first_row[k];
+  if (k < limits_->intervals())
+    for (const int narrow = i + Model::kWideRows; i < narrow; ++i) visit(i, Width<NZ>());
+  for (; i < limits_->first_row[k + 1]; ++i) visit(i, Width<NR>());
+}
+
+template <class Model>
 void NewtonSystem<Model>::add_row_hessians(int k)
 {
-  auto&& block = stages_[k].hessian.template topLeftCorner<NR, NR>();
-  for (int i = limits_->first_row[k]; i < limits_->first_row[k + 1]; ++i)
-  {
+  auto& hessian = stages_[k].hessian;
+  for_rows(k, [&](int i, auto width) {
+    constexpr int n = decltype(width)::value;
     rows_[i] = RowElimination(at_->rows[i], mu_);
-    const Vector<NR>& gradient = derivatives_->rows[i];
-    block.noalias() += (rows_[i].sigma * gradient) * gradient.transpose();
-  }
+    const Vector<n> gradient = derivatives_->rows[i].template head<n>();
+    hessian.template topLeftCorner<n, n>().noalias() += (rows_[i].sigma * gradient) * gradient.transpose();
+  });
 }
 
 template <class Model>
@@ -136,9 +155,11 @@ void NewtonSystem<Model>::set_gradients(const Residuals<NX>& residuals)
     stage.gradient.array() =
       mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
     if (aim_ == Aim::optimality) stage.gradient += derivatives_->stages[k].gradient;
-    for (int i = limits_->first_row[k]; i < limits_->first_row[k + 1]; ++i)
-      stage.gradient.template head<NR>() +=
-        rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i];
+    for_rows(k, [&](int i, auto width) {
+      constexpr int n = decltype(width)::value;
+      stage.gradient.template head<n>() +=
+        rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i].template head<n>();
+    });
   }
   for (int i = 0; i < NX; ++i)
     if (limits_->fixed[i]) stages_[last].gradient[i] += at_->nu[i] + residuals.terminal[i] / delta_;
@@ -165,11 +186,11 @@ void NewtonSystem<Model>::finish_step(const Residuals<NX>& residuals, Point& ste
     step.stages[k].lambda -= variables.lambda;
     step.stages[k].lower = (mu_ - zl * dz) / (variables.z - limits_->bounds[k].lower).array() - zl;
     step.stages[k].upper = (mu_ + zu * dz) / (limits_->bounds[k].upper - variables.z).array() - zu;
-    for (int i = limits_->first_row[k]; i < limits_->first_row[k + 1]; ++i)
-    {
-      const double change = derivatives_->rows[i].dot(step.stages[k].z.template head<NR>());
+    for_rows(k, [&](int i, auto width) {
+      constexpr int n = decltype(width)::value;
+      const double change = derivatives_->rows[i].template head<n>().dot(step.stages[k].z.template head<n>());
       step.rows[i] = rows_[i].step(at_->rows[i], mu_, residuals.rows[i] + change);
-    }
+    });
   }
   for (int i = 0; i < NX; ++i)
     step.nu[i] = limits_->fixed[i] ? (step.stages[last].z[i] + residuals.terminal[i]) / delta_ : 0.0;

@@ -79,7 +79,7 @@ auto lagrangian_gradient(const Derivatives<Model>& derivatives, const Iterate& a
     gradient.noalias() += derivatives.stages[k].jacobian.transpose() * at.stages[k + 1].lambda;
   gradient.template head<NX>() -= stage.lambda;
   for (int i = first_row; i < end_row; ++i)
-    gradient.template head<Model::kRowVariables>() += at.rows[i].multiplier * derivatives.rows[i];
+    gradient.template head<Model::kRowPoint>() += at.rows[i].multiplier * derivatives.rows[i];
   return gradient;
 }
 

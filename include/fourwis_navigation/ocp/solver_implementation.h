@@ -17,7 +17,7 @@ auto Solver<Model>::solve(const Model& model, const Problem& problem, const Traj
   options_ = options;
   solution_.statistics = {};
   solution_.status = Status::invalid_problem;
-  if (!is_valid(problem) || !has_size(guess, problem.intervals())) return solution_;
+  if (!is_valid(problem, Model::kWideRows) || !has_size(guess, problem.intervals())) return solution_;
   if (multipliers && !has_size(*multipliers, problem)) return solution_;
   solution_.status = Status::not_finite;
   if (!is_finite(guess)) return solution_;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/robot.h"
 
@@ -20,13 +18,10 @@ public:
   double angle;          ///< of |phi| [rad]
   double acceleration;   ///< of |a| [m/s^2]
   double steering_rate;  ///< of |omega|, whatever phi [rad/s]
+  double fastest_steering;  ///< of |omega| where phi is such that no wheel turns faster than the equivalent one [rad/s]
 
-  /// Of |omega| while |phi| is no more than `within` [rad/s]: the less the wheels are turned, the faster they may.
-  double steering_rate_within(double within) const;
-
-private:
-  static constexpr int kSteps = 64;
-  std::array<double, kSteps + 1> rate_within_;  ///< k-th: while |phi| <= k angle / kSteps
+  /// What the optimisation allows a wheel to turn about its own axis: the limit less a reserve for rounding [rad/s].
+  static double wheel_rate(const Robot& robot);
 };
 
 }  // namespace fourwis

@@ -13,6 +13,8 @@ struct OptimizeOptions
   double shortest_interval = 0.1;   ///< least h_k, of h_ref
   double longest_interval = 1.5;     ///< greatest h_k, of h_ref
   double longest_at_rest = 4.0;     ///< the same next to knots at rest
+  int corridor_discs = 2;           ///< discs that cover the body, each with a region of its own
+  int polish_discs = 4;             ///< the same in the last, finer round
   double corridor_range = 2.0;      ///< a corridor's polytopes reach this far beyond the reference [m]
   int outer_iterations = 2;         ///< rounds of corridor and optimisation, the last to full accuracy
   int repairs = 3;                  ///< further rounds with smaller regions where the certificate fails

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
-#include "fourwis_navigation/map/collision.h"
+#include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/vehicle/footprint.h"
 
 namespace fourwis
 {
@@ -12,13 +14,18 @@ namespace fourwis
 /// What is between the knots of an optimised segment, interval by interval.
 struct Certificate
 {
-  std::vector<double> clearance;  ///< least distance of the two discs (without safety margin) to obstacles [m]; negative in
+  std::vector<double> clearance;  ///< least distance of the discs (without safety margin) to obstacles [m]; negative in
                                   ///< collision. Distances beyond some centimetres are not looked at closely
   double worst_rollout = 0.0;     ///< greatest miss of the next point by the exact motion [m]
+
+  double least_clearance() const
+  {
+    return clearance.empty() ? 0.0 : *std::min_element(clearance.begin(), clearance.end());
+  }
 };
 
 /// Follows the motion between the points of one mode closely enough that no disc centre can come nearer to an obstacle, between
 /// two poses looked at, by more than half a millimetre.
-Certificate certify(const CollisionChecker& checker, const Robot& robot, const Trajectory& points);
+Certificate certify(const ObstacleMap& map, const DiscCover& discs, const Robot& robot, const Trajectory& points);
 
 }  // namespace fourwis

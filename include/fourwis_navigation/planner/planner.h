@@ -12,6 +12,7 @@
 #include "fourwis_navigation/model/plan.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/optimize/optimize_options.h"
+#include "fourwis_navigation/planner/refinement_round.h"
 #include "fourwis_navigation/planner/verify.h"
 #include "fourwis_navigation/search/search_options.h"
 
@@ -31,7 +32,9 @@ struct PlannerOptions
 struct PlanTrace
 {
   std::vector<Pose> expanded;         ///< nodes of the first search in the order of expansion
-  std::vector<Corridor> corridors;    ///< of the segments of the trajectory, the last round's
+  std::vector<std::vector<RefinementRound>> rounds;  ///< of each segment of the trajectory, one after the other
+
+  std::vector<Corridor> corridors() const;  ///< of the segments, the last round's
 };
 
 /// A grid and a robot with everything that can be computed from them once. Immutable; share it between plans and threads.

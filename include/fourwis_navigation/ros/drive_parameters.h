@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "fourwis_navigation/can/bridge_options.h"
 #include "fourwis_navigation/model/pose.h"
 #include "fourwis_navigation/ros/node_parameters.h"
 #include "fourwis_navigation/sim/simulator_options.h"
@@ -38,10 +39,13 @@ struct BaseFrames
   double wheel_radius = 0.1;  ///< for the picture of turning wheels only [m]
 };
 
+/// The simulated base without a bus.
+inline const std::string kDirect = "direct";
+
 /// The keys of `config/base_simulator.yaml`, in the private namespace of base_simulator_node.
 struct BaseSimulatorNodeOptions
 {
-  std::string bus = "direct";  ///< `direct`: takes wheel_commands itself
+  std::string bus = kDirect;  ///< `direct`: takes wheel_commands itself; otherwise drives on this bus, see can::open_bus()
   std::string global_frame = "map";
   BaseFrames frames;
   double publish_frequency = 100.0;    ///< cycles of simulated time each second [Hz]
@@ -58,9 +62,11 @@ struct BaseSimulatorParameters
   Robot robot;
   SimulatorOptions simulator;
   BaseSimulatorNodeOptions node;
+  can::BridgeOptions bridge;  ///< what drives there are on the bus
 };
 
-/// The whole private namespace of the simulator's node: its own keys, `robot/...` and `simulator/...`. Throws ConfigError.
+/// The whole private namespace of the simulator's node: its own keys, `robot/...`, `simulator/...` and, where there is a bus,
+/// `can_bridge/...`. Throws ConfigError.
 BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& parameters);
 
 }  // namespace fourwis

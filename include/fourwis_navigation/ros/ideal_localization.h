@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
@@ -9,7 +10,6 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include "fourwis_navigation/ros/drive_parameters.h"
-#include "fourwis_navigation/sim/base_simulator.h"
 
 namespace fourwis
 {
@@ -19,11 +19,13 @@ namespace fourwis
 class IdealLocalization
 {
 public:
-  /// `simulator` must outlive this.
-  IdealLocalization(const BaseSimulatorNodeOptions& options, BaseSimulator& simulator);
+  /// `place` puts the robot elsewhere.
+  IdealLocalization(const BaseSimulatorNodeOptions& options, std::function<void(const Pose&)> place);
 
-  /// `odometry`: where the robot is in the odom frame at `stamp`, the simulator's present.
-  void publish(const ros::Time& stamp, const Pose& odometry);
+  /// Publishes where the robot really is at `stamp`.
+  void publish(const ros::Time& stamp, const Pose& truth);
+  /// Publishes the transform: at `stamp` the robot is at `truth`, and odometry has it at `odometry`.
+  void correct(const ros::Time& stamp, const Pose& truth, const Pose& odometry);
 
   /// Without the transform until further notice.
   void set_lost(bool lost) { lost_ = lost; }
@@ -33,7 +35,7 @@ private:
 
   const std::string global_frame_, odom_frame_;
   const ros::Duration ahead_;
-  BaseSimulator& simulator_;
+  const std::function<void(const Pose&)> place_;
   bool lost_ = false;
   ros::NodeHandle node_;
   ros::Publisher pose_;

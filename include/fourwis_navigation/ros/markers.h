@@ -22,10 +22,10 @@ visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanReque
 /// The status of a plan that failed, written at its goal; plan_markers() removes it.
 visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, const std_msgs::Header& header);
 
-/// The regions of the front and of the rear disc's centre as translucent triangles, one marker each. `around` is a
-/// point of the plan: what is farther away than any plan goes is cut off.
-visualization_msgs::MarkerArray corridor_markers(const std::vector<Corridor>& corridors, const Pose& around,
-                                                 const std_msgs::Header& header);
+/// The regions of the discs' centres as translucent triangles. `around` is a point of the plan: what is farther away
+/// than any plan goes is cut off.
+visualization_msgs::Marker corridor_marker(const std::vector<Corridor>& corridors, const Pose& around,
+                                           const std_msgs::Header& header);
 
 /// The nodes that the search expanded, as points.
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header);

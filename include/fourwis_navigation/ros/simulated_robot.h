@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fourwis_navigation/ros/direct_base.h"
+#include "fourwis_navigation/ros/direct_base_faults.h"
 #include "fourwis_navigation/ros/fault_services.h"
 #include "fourwis_navigation/ros/ideal_localization.h"
 #include "fourwis_navigation/ros/simulation_clock.h"
@@ -9,7 +10,7 @@
 namespace fourwis
 {
 
-/// The simulator's node: a base, somebody who knows where it really is, and the time in which this happens. Spin it with one
+/// The simulator's node without a bus: a base, somebody who knows where it really is, and the time in which this happens. Spin it with one
 /// thread.
 class SimulatedRobot
 {
@@ -23,7 +24,8 @@ private:
   BaseSimulator simulator_;
   DirectBase base_;
   IdealLocalization localization_;
-  FaultServices faults_;
+  DirectBaseFaults faults_;
+  FaultServices fault_services_;
   SimulationClock clock_;  ///< last: calls for the first cycle when all else is there
 };
 

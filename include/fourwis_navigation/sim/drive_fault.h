@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace fourwis::sim
 {
@@ -29,8 +31,9 @@ enum class DriveFaultKind
   bus_off           ///< and that they are off the bus, once
 };
 
-/// The name above.
+/// The name above, and back; nothing for what is none.
 const char* to_string(DriveFaultKind kind);
+std::optional<DriveFaultKind> drive_fault_kind(const std::string& name);
 
 /// One of them, at a node, from one time to another. Of those that happen once only the beginning counts.
 struct DriveFault

@@ -1,4 +1,5 @@
 #include "fourwis_navigation/ros/node_main.h"
+#include "fourwis_navigation/ros/simulated_drives.h"
 #include "fourwis_navigation/ros/simulated_robot.h"
 
 int main(int argc, char** argv)
@@ -7,8 +8,16 @@ int main(int argc, char** argv)
   return fourwis::node_main(
     []
     {
-      const fourwis::SimulatedRobot robot(
-        fourwis::base_simulator_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
-      ros::spin();
+      const auto parameters = fourwis::base_simulator_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
+      if (parameters.node.bus == fourwis::kDirect)
+      {
+        const fourwis::SimulatedRobot robot(parameters);
+        ros::spin();
+      }
+      else
+      {
+        const fourwis::SimulatedDrives drives(parameters);
+        ros::spin();
+      }
     });
 }

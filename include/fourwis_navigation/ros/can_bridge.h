@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <ros/subscriber.h>
+
+#include "fourwis_navigation/WheelCommands.h"
+#include "fourwis_navigation/ros/base_topics.h"
+#include "fourwis_navigation/ros/bridge_diagnostics.h"
+#include "fourwis_navigation/ros/can_bridge_parameters.h"
+
+namespace fourwis
+{
+
+/// The bridge's node: `wheel_commands`, `emergency_stop` and the services `~enable`, `~disable`, `~clear_faults` to the
+/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Spin it with two threads:
+/// services wait for the drives.
+class CanBridge
+{
+public:
+  explicit CanBridge(const CanBridgeParameters& parameters);
+  ~CanBridge();
+
+  /// Comes to rest and disables the drives; returns when that is done or has taken too long.
+  void stop();
+
+private:
+  void on_command(const fourwis_navigation::WheelCommands& message);
+  void publish_updates();
+  void publish(const can::BridgeUpdate& update);
+  std::string enable();
+  std::string disable();
+  void advertise(const std::string& name, const std::function<std::string()>& action);
+
+  const can::BridgeOptions options_;
+  BridgeMonitor monitor_;
+  can::BridgeThread bridge_;
+  BaseTopics topics_;
+  BridgeDiagnostics diagnostics_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Subscriber commands_, emergency_stop_;
+  std::atomic<bool> end_{false};
+  std::thread publisher_;
+};
+
+}  // namespace fourwis

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <limits>
+
+#include "fault_reporter.h"
+#include "fourwis_navigation/can/base_protocol.h"
+#include "ranger_motion.h"
+
+namespace fourwis::can
+{
+
+/// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no drives
+/// of its own to switch: out of operation it is told to stand.
+class RangerBase final : public BaseProtocol
+{
+public:
+  /// `log` must outlive this.
+  RangerBase(const Robot& robot, const BridgeOptions& options, FaultLog& log);
+
+  void restart(bool reset_faults, double now, Outbox& outbox) override;
+  void receive(const Frame& frame, double now, Outbox& outbox) override;
+  void supervise(double now, Outbox& outbox) override;
+  void command(const DriveDemand& demand, double now, Outbox& outbox) override;
+  void end_cycle(double, Outbox&) override {}
+
+  BaseStage stage() const override { return stage_; }
+  int first_in_operation() const override { return follows_ ? 0 : kNoAxis; }
+  int first_out_of_operation() const override { return follows_ && obeys() ? kNoAxis : 0; }
+  const WheelMotion& measured() const override { return measured_; }
+  double measured_at() const override { return measured_at_; }
+  const char* refusal(const WheelCommand& command) const override { return kinematics_.refusal(command); }
+  AxisReport axis(int axis) const override;
+
+private:
+  bool obeys() const { return state_.control == 1 && state_.vehicle == 0; }
+  bool take(const Frame& frame, double now);
+  void supervise_start(double now, Outbox& outbox);
+  void supervise_base(double now);
+
+  RangerKinematics kinematics_;
+  double boot_timeout_;
+  FaultReporter report_;
+  BaseStage stage_ = BaseStage::listening;
+  bool reset_faults_ = false;
+  bool follows_ = false;    ///< it is told to
+  double entered_ = 0.0;    ///< the stage
+  double asked_ = 0.0;      ///< for control of the base
+  RangerState state_;
+  RangerModeState mode_;
+  PerWheel angles_{}, speeds_{}, told_{};
+  double state_at_, angles_at_, speeds_at_;  ///< when they came
+  WheelMotion measured_;
+  double measured_at_ = 0.0;
+  double told_at_ = -std::numeric_limits<double>::infinity();
+  bool told_to_move_ = false;
+};
+
+}  // namespace fourwis::can

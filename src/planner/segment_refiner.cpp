@@ -1,0 +1,145 @@
+#include "segment_refiner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fourwis_navigation/planner/certificate.h"
+#include "halved_segment.h"
+
+namespace fourwis
+{
+namespace
+{
+
+/// Accuracy of the rounds before the last, and of the last.
+constexpr double kRoughTolerance = 1e-2, kFineTolerance = 1e-6;
+/// A region that lets a disc come closer to an obstacle than the first is shrunk so that it keeps the second [m].
+constexpr double kLeastClearance = 0.001, kWantedClearance = 0.003;
+/// The exact motion from one point may miss the next by this much before the knots are put closer together [m].
+constexpr double kMostRolloutMiss = 0.004;
+
+RefinedSegment give_up(RefinedSegment&& result, const std::string& message)
+{
+  result.solved = false;
+  result.message = message;
+  return std::move(result);
+}
+
+bool turns_back(const Segment& segment, std::size_t knot)
+{
+  return std::signbit(segment.length[knot - 1]) != std::signbit(segment.length[knot]);
+}
+
+}  // namespace
+
+/// What a round is about.
+struct SegmentRefiner::Attempt
+{
+  explicit Attempt(const Segment& segment)
+    : reference(segment), around(segment.knots), shrink(segment.intervals(), 0.0), pinned(segment.knots.size(), 0)
+  {
+  }
+
+  /// Makes the robot stop where it turns back at the ends of interval k. False if there is no such place left.
+  bool pin_cusps_of(std::size_t k)
+  {
+    bool found = false;
+    for (std::size_t knot = std::max<std::size_t>(k, 1); knot <= std::min(k + 1, shrink.size() - 1); ++knot)
+    {
+      if (pinned[knot] || !turns_back(reference, knot)) continue;
+      found = true;
+      pinned[knot] = true;
+    }
+    return found;
+  }
+
+  const Segment& reference;
+  std::vector<Pose> around;    ///< the corridor is built around these knots
+  std::vector<double> shrink;  ///< by so much smaller than they could be are the regions of each interval [m]
+  std::vector<char> pinned;    ///< where the robot is to stop
+};
+
+SegmentRefiner::SegmentRefiner(const ObstacleMap& map, const ObstacleRectangles& obstacles, const Robot& robot,
+                               const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
+  : map_(map), obstacles_(obstacles), robot_(robot), options_(options), interrupt_(interrupt),
+    discs_(disc_cover(robot, options.corridor_discs)), fine_discs_(disc_cover(robot, options.polish_discs)),
+    structured_(robot, options, reference_speed), ipopt_(robot, options, reference_speed)
+{
+}
+
+RefinedSegment SegmentRefiner::refine(const Segment& reference) const
+{
+  RefinedSegment result;
+  Attempt attempt(reference);
+  for (int round = 1; round <= options_.outer_iterations + options_.repairs; ++round)
+  {
+    PolytopeCorridor regions = corridor(discs_, attempt.around, attempt.shrink);
+    if (regions.status != CorridorStatus::succeeded) return give_up(std::move(result), regions.message);
+    const bool rough = round < options_.outer_iterations;
+    SegmentSolution solution = solve(reference, regions.regions, round == 1 ? nullptr : &result.points(), attempt.pinned,
+                                     rough ? kRoughTolerance : kFineTolerance);
+    result.solver_iterations += solution.iterations;
+    result.rounds.push_back({std::move(regions.regions), std::move(solution.points)});
+    if (!solution.solved)
+    {
+      result.too_coarse = !interrupt_.cancelled() && !interrupt_.timed_out();
+      return give_up(std::move(result), solution.message);
+    }
+    const bool certified = is_certified(attempt, result);
+    if (rough)
+      std::transform(result.points().begin(), result.points().end(), attempt.around.begin(),
+                     [](const TrajectoryPoint& point) { return point.pose(); });
+    else if (certified)
+      return result;
+  }
+  result.too_coarse = true;
+  return give_up(std::move(result), "the certificate still fails after all repairs");
+}
+
+bool SegmentRefiner::polish(std::vector<RefinementRound>& rounds, int& solver_iterations) const
+{
+  const HalvedSegment halved(robot_, rounds.back().points);
+  PolytopeCorridor regions = corridor(fine_discs_, halved.reference.knots, {});
+  if (regions.status != CorridorStatus::succeeded) return false;
+  SegmentSolution solution = solve(halved.reference, regions.regions, &halved.points, {}, kFineTolerance);
+  solver_iterations += solution.iterations;
+  if (!solution.solved || solution.points.back().t >= rounds.back().points.back().t) return false;
+  const Certificate certificate = certify(map_, fine_discs_, robot_, solution.points);
+  if (certificate.worst_rollout > kMostRolloutMiss || certificate.least_clearance() < kLeastClearance) return false;
+  rounds.push_back({std::move(regions.regions), std::move(solution.points)});
+  return true;
+}
+
+PolytopeCorridor SegmentRefiner::corridor(const DiscCover& discs, const std::vector<Pose>& knots,
+                                          const std::vector<double>& shrink) const
+{
+  PolytopeOptions options;
+  options.range = options_.corridor_range;
+  return polytope_corridor(obstacles_, discs, options, knots, shrink);
+}
+
+SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
+                                      const std::vector<char>& pinned, double tolerance) const
+{
+  return structured_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
+}
+
+/// Sets `solved` when no disc comes too close between the knots. Where one does, makes the robot stop at a cusp beside the
+/// interval, which it may pass far out of what the region's chord knows of; if it stops there, shrinks the region.
+bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) const
+{
+  const Trajectory& points = result.points();
+  const Certificate certificate = certify(map_, discs_, robot_, points);
+  result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
+  result.solved = true;
+  for (std::size_t k = 0; k < attempt.shrink.size(); ++k)
+  {
+    if (certificate.clearance[k] >= kLeastClearance) continue;
+    result.solved = false;
+    if (!attempt.pin_cusps_of(k)) attempt.shrink[k] += kWantedClearance - certificate.clearance[k];
+  }
+  return result.solved;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/corridor/polytope_corridor.h"
+#include "fourwis_navigation/map/collision.h"
+#include "fourwis_navigation/model/interrupt.h"
+#include "fourwis_navigation/model/segment.h"
+#include "fourwis_navigation/optimize/ipopt_segment_optimizer.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
+#include "fourwis_navigation/optimize/segment_optimizer.h"
+#include "fourwis_navigation/planner/refinement_round.h"
+
+namespace fourwis
+{
+
+/// What became of one segment.
+struct RefinedSegment
+{
+  bool solved = false;
+  bool too_coarse = false;  ///< what happens between the knots is the trouble: try again with more of them
+  std::string message;      ///< why it is not solved
+  std::vector<RefinementRound> rounds;  ///< the last one's points are the result
+  int solver_iterations = 0;
+
+  bool usable() const { return solved && !too_coarse; }
+  const Trajectory& points() const { return rounds.back().points; }
+};
+
+/// corridor <-> optimisation for one segment after the other. May be used from several threads.
+class SegmentRefiner
+{
+public:
+  /// Keeps references to all of them.
+  SegmentRefiner(const ObstacleMap& map, const ObstacleRectangles& obstacles, const Robot& robot,
+                 const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt);
+
+  /// Rounds of corridor and optimisation until the certificate holds.
+  RefinedSegment refine(const Segment& reference) const;
+
+  /// One more round around the last one's result, with twice the knots and more discs. It is added to `rounds` if it is
+  /// certified at once and arrives earlier. Whether it is.
+  bool polish(std::vector<RefinementRound>& rounds, int& solver_iterations) const;
+
+private:
+  struct Attempt;
+
+  PolytopeCorridor corridor(const DiscCover& discs, const std::vector<Pose>& knots, const std::vector<double>& shrink) const;
+  SegmentSolution solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
+                        const std::vector<char>& pinned, double tolerance) const;
+  bool is_certified(Attempt& attempt, RefinedSegment& result) const;
+
+  const ObstacleMap& map_;
+  const ObstacleRectangles& obstacles_;
+  const Robot& robot_;
+  const OptimizeOptions& options_;
+  const Interrupt& interrupt_;
+  const DiscCover discs_, fine_discs_;
+  const SegmentOptimizer structured_;
+  const IpoptSegmentOptimizer ipopt_;
+};
+
+}  // namespace fourwis

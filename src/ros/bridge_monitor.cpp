@@ -1,0 +1,29 @@
+#include "fourwis_navigation/ros/bridge_monitor.h"
+
+#include <chrono>
+
+namespace fourwis
+{
+
+void BridgeMonitor::put(const can::BridgeUpdate& update)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  newest_ = update;
+  changed_.notify_all();
+}
+
+can::BridgeUpdate BridgeMonitor::newest() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return newest_;
+}
+
+bool BridgeMonitor::wait_for(const std::function<bool(const can::BridgeUpdate&)>& condition, double timeout)
+{
+  std::unique_lock<std::mutex> lock(mutex_);
+  const std::uint64_t begin = newest_.cycles;
+  return changed_.wait_for(lock, std::chrono::duration<double>(timeout),
+                           [&] { return newest_.cycles > begin && condition(newest_); });
+}
+
+}  // namespace fourwis

@@ -1,0 +1,120 @@
+#include "fourwis_navigation/ros/can_bridge.h"
+
+#include <ros/console.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+
+#include "fourwis_navigation/can/real_time.h"
+#include "fourwis_navigation/ros/drive_conversions.h"
+
+namespace fourwis
+{
+namespace
+{
+
+using can::BridgeStage;
+using can::BridgeUpdate;
+
+/// Beyond the drives' own timeouts [s].
+constexpr double kReserve = 1.0;
+/// How long the publisher waits for a cycle before it looks whether it is to end [s].
+constexpr double kPatience = 0.2;
+
+bool is_enabling(BridgeStage stage)
+{
+  return stage == BridgeStage::enabling || stage == BridgeStage::home;
+}
+
+}  // namespace
+
+CanBridge::CanBridge(const CanBridgeParameters& parameters)
+  : options_(parameters.bridge),
+    bridge_(parameters.robot, options_, can::open_bus(options_.interface), parameters.node.real_time_priority),
+    topics_(parameters.robot, parameters.node.frames), diagnostics_(monitor_, options_.interface)
+{
+  if (!bridge_.complaint().empty()) ROS_WARN("%s", bridge_.complaint().c_str());
+  advertise("enable", [this] { return enable(); });
+  advertise("disable", [this] { return disable(); });
+  advertise("clear_faults", [this] { return bridge_.clear_faults(); });
+  ros::NodeHandle node;
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  // A queue of one: an older command is worth nothing.
+  commands_ = node.subscribe<fourwis_navigation::WheelCommands>(
+    "wheel_commands", 1, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
+    nullptr, hints);
+  emergency_stop_ = node.subscribe<std_msgs::Bool>(
+    "emergency_stop", 1, [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); },
+    nullptr, hints);
+  publisher_ = std::thread([this] { publish_updates(); });
+}
+
+CanBridge::~CanBridge()
+{
+  end_ = true;
+  publisher_.join();
+}
+
+void CanBridge::stop()
+{
+  bridge_.disable();
+  monitor_.wait_for([](const BridgeUpdate& update) { return update.report.out_of_operation; },
+                    options_.stop_timeout + options_.enable_timeout + kReserve);
+}
+
+void CanBridge::on_command(const fourwis_navigation::WheelCommands& message)
+{
+  const ros::Duration age = message.header.stamp.isZero() ? ros::Duration(0) : ros::Time::now() - message.header.stamp;
+  if (age.toSec() <= options_.command_timeout) return bridge_.command(to_command(message));
+  diagnostics_.late_command();
+  ROS_WARN_THROTTLE(1.0, "wheel_commands: %.3f s old, not taken", age.toSec());
+}
+
+void CanBridge::publish_updates()
+{
+  for (BridgeUpdate update; !end_;)
+  {
+    if (!bridge_.wait(update, kPatience)) continue;
+    monitor_.put(update);
+    publish(update);
+  }
+}
+
+void CanBridge::publish(const BridgeUpdate& update)
+{
+  const ros::Duration age(can::monotonic_now() - update.wheels.stamp);
+  const ros::Time now = ros::Time::now();
+  // Nothing has been measured yet; or simulated time has not begun.
+  if (update.wheels.stamp == 0.0 || now.toSec() <= age.toSec()) return;
+  topics_.publish(now - age, update.wheels, explanation(update.report));
+}
+
+std::string CanBridge::enable()
+{
+  const std::string refusal = bridge_.enable();
+  if (!refusal.empty()) return refusal;
+  const double patience = options_.enable_timeout + (options_.homing ? options_.homing_timeout : 0.0) + kReserve;
+  monitor_.wait_for([](const BridgeUpdate& update) { return !is_enabling(update.report.stage); }, patience);
+  return explanation(monitor_.newest().report);
+}
+
+std::string CanBridge::disable()
+{
+  stop();
+  const can::BridgeReport report = monitor_.newest().report;
+  return report.out_of_operation ? "" : explanation(report);
+}
+
+void CanBridge::advertise(const std::string& name, const std::function<std::string()>& action)
+{
+  using std_srvs::Trigger;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> serve =
+    [action](Trigger::Request&, Trigger::Response& response)
+  {
+    response.message = action();
+    response.success = response.message.empty();
+    return true;
+  };
+  services_.push_back(ros::NodeHandle("~").advertiseService(name, serve));
+}
+
+}  // namespace fourwis

@@ -1,0 +1,33 @@
+#include "fourwis_navigation/ros/can_bridge_parameters.h"
+
+namespace fourwis
+{
+namespace
+{
+
+CanBridgeNodeOptions node_options(KeyReader& reader)
+{
+  CanBridgeNodeOptions options;
+  options.frames.odom_frame = reader.frame("odom_frame");
+  options.frames.robot_base_frame = reader.frame("robot_base_frame");
+  options.frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  options.real_time_priority = reader.count("real_time_priority", 0, 99, "");
+  return options;
+}
+
+}  // namespace
+
+CanBridgeParameters can_bridge_parameters_from(const ParameterMap& parameters)
+{
+  KeyReader reader(parameters);
+  CanBridgeParameters result;
+  result.node = node_options(reader);
+  result.robot = reader.group("robot", robot_from);
+  result.bridge = reader.group("bridge", bridge_options_from);
+  result.node.frames.wheel_radius = result.bridge.wheel_radius;
+  reader.ignore({"diagnostic_period"});
+  reader.finish();
+  return result;
+}
+
+}  // namespace fourwis
