@@ -38,8 +38,8 @@ void set_options(int socket)
   set_option(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, CAN_ERR_MASK);
 }
 
-/// The number of the interface, 0 where there is none. Whoever asks for one by name instead, ioctl or if_nametoindex, makes
-/// the kernel start modprobe for a driver of that name when it is missing, each time.
+/// The number of the interface, 0 where there is none. Whoever asks for one by name instead, ioctl or if_nametoindex,
+/// makes the kernel start modprobe for a driver of that name when it is missing, each time.
 int index_of(const std::string& interface)
 {
   const std::unique_ptr<struct if_nameindex, decltype(&if_freenameindex)> all(if_nameindex(), if_freenameindex);

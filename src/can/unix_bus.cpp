@@ -110,6 +110,7 @@ void UnixBus::open()
   directory_ = std::make_unique<BusDirectory>(name_);
   if (!directory_->error().empty()) return go_down(directory_->error());
   events_ = FileDescriptor(epoll_create1(EPOLL_CLOEXEC));
+  if (!events_) return go_down(std::strerror(errno));
   watch(directory_->descriptor());
   listen();
   if (is_down()) return;

@@ -38,7 +38,7 @@ int run(int argc, char** argv)
   auto add = options.add_options();
   add("help,h", "this text");
   add("bus", po::value<Names>()->default_value({"unix:benchmark"}, "unix:benchmark")->composing(),
-      "unix:NAME or a SocketCAN interface; may be repeated");
+      "unix:NAME or a SocketCAN interface without drives; may be repeated");
   add("commands", po::value<int>()->default_value(1000), "so many, 50 a second");
   add("markdown", "tables as Markdown");
   po::variables_map given;
