@@ -50,7 +50,8 @@ std::string check_point(const Robot& robot, const Trajectory& points, std::size_
 std::string check_switch(const Trajectory& points, std::size_t k)
 {
   const TrajectoryPoint &from = points[k], &to = points[k + 1];
-  if (std::abs(from.v) > kRest || std::abs(to.v) > kRest) return at_point(k, "is not at rest at a switch [m/s]", from.v);
+  if (std::abs(from.v) > kRest || std::abs(to.v) > kRest)
+    return at_point(k, "is not at rest at a switch [m/s]", from.v);
   if (distance(from.pose(), to.pose()) > kSamePlace || std::abs(to.theta - from.theta) > kSamePlace)
     return at_point(k, "does not keep its pose at a switch [m]", distance(from.pose(), to.pose()));
   return {};

@@ -22,7 +22,9 @@ bool RestingPlace::is_reached(const Pose& at) const
 }
 
 Corrector::Corrector(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), options_(options), stretch_(robot, &kNowhere, &kNowhere + 1)
+  : robot_(robot),
+    options_(options),
+    stretch_(robot, &kNowhere, &kNowhere + 1)
 {
   stretch_.reserve(kCorrectionPoints);
 }
@@ -31,9 +33,8 @@ bool Corrector::start(const Pose& from, const RestingPlace& to)
 {
   if (spent_ > options_.correction_timeout) return false;
   const double turn = wrap_angle(to.pose.theta - from.theta);
-  const Creep creep = std::abs(turn) > to.yaw_tolerance
-                        ? creeping_turn(robot_, from, turn, options_.correction_speed)
-                        : creeping_shift(from, to.pose, options_.correction_speed);
+  const Creep creep = std::abs(turn) > to.yaw_tolerance ? creeping_turn(robot_, from, turn, options_.correction_speed)
+                                                        : creeping_shift(from, to.pose, options_.correction_speed);
   stretch_.assign(creep.data(), creep.data() + creep.size());
   active_ = true;
   return true;

@@ -15,8 +15,8 @@ struct RestingPlace
   bool is_reached(const Pose& at) const;
 };
 
-/// Creeping motions from where the robot rests to where it ought to: first it turns in place, then it shifts straight to the
-/// place. Allocates nothing after set-up.
+/// Creeping motions from where the robot rests to where it ought to: first it turns in place, then it shifts straight
+/// to the place. Allocates nothing after set-up.
 class Corrector
 {
 public:

@@ -37,8 +37,8 @@ Creep creep(Mode mode, double phi, double length, double speed, PoseAt pose)
 Creep creeping_turn(const Robot& robot, const Pose& from, double angle, double speed)
 {
   const double radius = spin_radius(robot);
-  return creep(Mode::spin, 0.0, angle * radius, speed,
-               [&](double s) { return Pose{from.x, from.y, from.theta + s / radius}; });
+  const auto turned = [&](double s) { return Pose{from.x, from.y, from.theta + s / radius}; };
+  return creep(Mode::spin, 0.0, angle * radius, speed, turned);
 }
 
 Creep creeping_shift(const Pose& from, const Pose& to, double speed)
@@ -47,11 +47,12 @@ Creep creeping_shift(const Pose& from, const Pose& to, double speed)
   // Of the two ways to set the wheels the one that is nearer to straight ahead.
   const double ahead = wrap_angle(direction - from.theta);
   const bool backward = std::abs(ahead) > M_PI_2;
-  const double phi = backward ? wrap_angle(ahead + M_PI) : ahead;
-  const double way = distance(from, to);
-  return creep(Mode::parallel, phi, backward ? -way : way, speed, [&](double s) {
-    return Pose{from.x + s * std::cos(from.theta + phi), from.y + s * std::sin(from.theta + phi), from.theta};
-  });
+  const double phi = backward ? wrap_angle(ahead + M_PI) : ahead, course = from.theta + phi;
+  const double way = backward ? -distance(from, to) : distance(from, to);
+  const auto shifted = [&](double s) {
+    return Pose{from.x + s * std::cos(course), from.y + s * std::sin(course), from.theta};
+  };
+  return creep(Mode::parallel, phi, way, speed, shifted);
 }
 
 }  // namespace fourwis

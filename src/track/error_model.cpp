@@ -24,7 +24,10 @@ enum Index
 }  // namespace
 
 ErrorModel::ErrorModel(const Robot& robot, Mode mode)
-  : robot_(robot), mode_(mode), moves_(mode == Mode::spin ? 0.0 : 1.0), crabs_(mode == Mode::parallel ? 1.0 : 0.0)
+  : robot_(robot),
+    mode_(mode),
+    moves_(mode == Mode::spin ? 0.0 : 1.0),
+    crabs_(mode == Mode::parallel ? 1.0 : 0.0)
 {
 }
 

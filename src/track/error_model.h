@@ -10,14 +10,14 @@
 namespace fourwis
 {
 
-/// Deviation from the reference: (along, across, heading, speed, steering), the first two in the frame of the reference's
-/// course psi_r, to the left [m, m, rad, m/s, rad].
+/// Deviation from the reference: (along, across, heading, speed, steering), the first two in the frame of the
+/// reference's course psi_r, to the left [m, m, rad, m/s, rad].
 using ErrorState = Eigen::Matrix<double, 5, 1>;
 /// Deviation of (a, omega) from the reference's.
 using ErrorInput = Eigen::Matrix<double, 2, 1>;
 
-/// The kinematics of a mode, paper eq. (2) to (7), written as the deviation from a reference that keeps to them. With the
-/// curvature kappa(phi) and course psi = theta + beta + gamma phi of the mode:
+/// The kinematics of a mode, paper eq. (2) to (7), written as the deviation from a reference that keeps to them. With
+/// the curvature kappa(phi) and course psi = theta + beta + gamma phi of the mode:
 ///   along'   = v cos(psi - psi_r) - v_r + psi_r' across,   across' = v sin(psi - psi_r) - psi_r' along,
 ///   heading' = v kappa(phi) - v_r kappa(phi_r),            speed' = a - a_r,   steering' = omega - omega_r.
 /// Spin turns without moving: there the first two have no v.
@@ -40,8 +40,8 @@ public:
   /// d(error)/dt, as above.
   ErrorState rate(const ErrorState& error, const ErrorInput& input, const ReferencePoint& reference) const;
 
-  /// error(t + h) = jacobian (error(t), input), to first order in both about 0 and to third order in h, given the reference in
-  /// the middle of the interval.
+  /// error(t + h) = jacobian (error(t), input), to first order in both about 0 and to third order in h, given the
+  /// reference in the middle of the interval.
   Eigen::Matrix<double, 5, 7> jacobian(const ReferencePoint& middle, double h) const;
 
   /// Greatest |d(wheel angle)/d(phi)| of the four wheels.
@@ -54,8 +54,8 @@ private:
 
   Robot robot_;
   Mode mode_;
-  double moves_;    ///< 0 in spin, otherwise 1
-  double crabs_;    ///< gamma: 1 in parallel mode, otherwise 0
+  double moves_;  ///< 0 in spin, otherwise 1
+  double crabs_;  ///< gamma: 1 in parallel mode, otherwise 0
 };
 
 }  // namespace fourwis

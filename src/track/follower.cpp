@@ -20,8 +20,13 @@ constexpr double kRestless = 2.0;
 }  // namespace
 
 Follower::Follower(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), options_(options), period_(1.0 / options.controller_frequency), mpc_(robot, options),
-    forecast_(robot, options), watch_(options), error_model_(robot, Mode::ackermann)
+  : robot_(robot),
+    options_(options),
+    period_(1.0 / options.controller_frequency),
+    mpc_(robot, options),
+    forecast_(robot, options),
+    watch_(options),
+    error_model_(robot, Mode::ackermann)
 {
 }
 
@@ -74,8 +79,8 @@ Trouble Follower::observe(const Measurement& now)
   return watch_.judge(wheel_motion(robot_, reference_->mode(), 0.0, phi).angle, now.wheels.angle, now.period);
 }
 
-/// Slows the clock down where the robot lags behind more than clock_slack. It must not stand: before a cusp the controller may
-/// see no use in moving.
+/// Slows the clock down where the robot lags behind more than clock_slack. It must not stand: before a cusp the
+/// controller may see no use in moving.
 void Follower::wait_for_robot(const MotionState& state, double period)
 {
   const MotionState& should = reference_->at(time_).state;
@@ -100,7 +105,8 @@ bool Follower::settles(const MotionState& state, const Measurement& now)
   return holding_ >= 0.0;
 }
 
-/// v and phi change by `input` for the coming control step. Wheels that lag are told where they should be a little later.
+/// v and phi change by `input` for the coming control step. Wheels that lag are told where they should be a little
+/// later.
 ModeMotion Follower::ask(const Measurement& now, const MotionInput& input, double duration)
 {
   const ModeMotion from = forecast_.asked(now.now + options_.command_latency);
@@ -119,11 +125,9 @@ ModeMotion Follower::rest(const Measurement& now)
   return still;
 }
 
-ModeMotion Follower::brake(const Measurement& now)
+ModeMotion Follower::brake()
 {
-  const double v = forecast_.asked(now.now + options_.command_latency).v;
-  const double slower = std::copysign(std::max(0.0, std::abs(v) - robot_.max_acceleration * period_), v);
-  ask(now, {(slower - v) / period_, 0.0}, period_);
+  asked_.v = std::copysign(std::max(0.0, std::abs(asked_.v) - robot_.max_acceleration * period_), asked_.v);
   return asked_;
 }
 

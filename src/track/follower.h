@@ -23,14 +23,15 @@ public:
 
   struct Answer
   {
-    ModeMotion command;  ///< for the wheels, their lag made up for
-    Trouble trouble;     ///< the command is none
+    ModeMotion command;     ///< for the wheels, their lag made up for
+    Trouble trouble;        ///< the command is none
     bool finished = false;  ///< the robot rests at the stretch's end, as near as following gets it
   };
   Answer step(const Measurement& now);
 
-  /// Slows down along the present curve instead; what to command, v = 0 once it should be at rest.
-  ModeMotion brake(const Measurement& now);
+  /// Slows down for one control step along the present curve instead; what to command, v = 0 at last. Needs no
+  /// measurement.
+  ModeMotion brake();
 
   /// Of the last step.
   double clock() const { return clock_; }  ///< the trajectory's time at which the pose was measured [s]

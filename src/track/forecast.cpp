@@ -14,7 +14,7 @@ namespace
 /// A lag shorter than this is none [s].
 constexpr double kLeastLag = 1e-3;
 /// Step of the roll-out [s].
-constexpr double kStep = 0.02;
+constexpr double kStep = 0.01;
 
 double faded(double deviation, double time, double lag)
 {
@@ -24,7 +24,9 @@ double faded(double deviation, double time, double lag)
 }  // namespace
 
 Forecast::Forecast(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), drive_lag_(options.drive_lag), steering_lag_(options.steering_lag)
+  : robot_(robot),
+    drive_lag_(options.drive_lag),
+    steering_lag_(options.steering_lag)
 {
   restart(Mode::none, 0.0);
 }

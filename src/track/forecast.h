@@ -10,8 +10,8 @@
 namespace fourwis
 {
 
-/// Where the robot will be when a command takes effect. What was asked for so far is remembered; the wheels are taken to do
-/// that, `command_latency` late, but for what they were last measured to deviate, which fades with their lag.
+/// Where the robot will be when a command takes effect. What was asked for so far is remembered; the wheels are taken
+/// to do that, `command_latency` late, but for what they were last measured to deviate, which fades with their lag.
 class Forecast
 {
 public:
@@ -29,8 +29,8 @@ public:
   /// What the wheels did at time t.
   void measured(double t, const ModeMotion& motion);
 
-  /// The state at `until`, given where the robot was at `stamp`. v and phi are what was asked for: the controller does not see
-  /// the noise of the wheels' encoders.
+  /// The state at `until`, given where the robot was at `stamp`. v and phi are what was asked for: the controller does
+  /// not see the noise of the wheels' encoders.
   MotionState ahead(const Pose& pose, double stamp, double until) const;
 
 private:

@@ -14,11 +14,10 @@ constexpr double kAhead = 0.05;
 /// A wheel may be away from its angle for so long: bumps, noise, a command that came late [s].
 constexpr double kStubborn = 0.3;
 
-constexpr const char* kWheelAway[] = {
-  "the front left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
-  "the front right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
-  "the rear left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
-  "the rear right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad"};
+constexpr const char* kWheelAway[] = {"the front left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+                                      "the front right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+                                      "the rear left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
+                                      "the rear right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad"};
 
 Trouble judge_age(double age, double timeout, const char* too_old, const char* ahead)
 {
@@ -61,8 +60,8 @@ Trouble judge_input(const TrackInput& input, const TrackOptions& options)
 {
   if (const Trouble trouble = judge_numbers(input)) return trouble;
   if (const Trouble trouble =
-        judge_age(input.now - input.pose_stamp, options.pose_timeout,
-                  "the pose is %.3f s old, pose_timeout is %.3f s", "the pose's stamp lies %.3f s ahead"))
+        judge_age(input.now - input.pose_stamp, options.pose_timeout, "the pose is %.3f s old, pose_timeout is %.3f s",
+                  "the pose's stamp lies %.3f s ahead"))
     return trouble;
   if (const Trouble trouble = judge_age(input.now - input.wheels.stamp, options.wheel_state_timeout,
                                         "the wheels' state is %.3f s old, wheel_state_timeout is %.3f s",
@@ -91,8 +90,7 @@ Trouble WheelWatch::judge(const PerWheel& expected, const PerWheel& measured, do
   {
     const double error = std::abs(std::remainder(measured[i] - expected[i], M_PI));
     away_[i] = error > options_.max_wheel_error ? away_[i] + period : 0.0;
-    if (away_[i] > kStubborn)
-      return {kWheelAway[i], error, options_.max_wheel_error};
+    if (away_[i] > kStubborn) return {kWheelAway[i], error, options_.max_wheel_error};
   }
   return {};
 }

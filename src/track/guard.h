@@ -15,8 +15,8 @@ struct Deviation
   double heading = 0.0;       ///< [rad]
 };
 
-/// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that does
-/// not follow.
+/// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that
+/// does not follow.
 Trouble judge_input(const TrackInput& input, const TrackOptions& options);
 
 /// Whether the robot is farther from the trajectory than it may be.

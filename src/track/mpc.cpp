@@ -36,7 +36,8 @@ void HorizonModel::evaluate(int k, const State& x, const Control& u, const State
 {
   const Interval& interval = intervals[static_cast<std::size_t>(k)];
   value.cost = 0.5 * interval.h * (state_weight.dot(x.cwiseAbs2()) + control_weight.dot(u.cwiseAbs2()));
-  value.defect = interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
+  value.defect =
+    interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
 }
 
 void HorizonModel::differentiate(int k, const State& x, const Control& u, const State&, Derivatives& d) const
@@ -72,13 +73,15 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
   horizon_.end_weight = kEnd;
   horizon_.intervals.resize(count);
-  for (std::size_t k = 0; k < count; ++k) horizon_.intervals[k].h = times_[k + 1] - times_[k];
+  for (std::size_t k = 0; k < count; ++k)
+    horizon_.intervals[k] = {Eigen::Matrix<double, 5, 7>::Zero(), times_[k + 1] - times_[k]};
 
   problem_.reset(options.knots);
   hold_.states.assign(count + 1, ErrorState::Zero());
   hold_.controls.assign(count, ErrorInput::Zero());
   knots_.resize(count + 1);
   prediction_.resize(count + 1);
+  solver_.solve(horizon_, problem_, hold_);  // so that it has its storage
 }
 
 void Mpc::restart(Mode mode, const SteeringRange& steering)
@@ -159,7 +162,7 @@ auto Mpc::solve_cold() -> const Solution&
     const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
     hold_.controls[k] = ErrorInput(from.v - to.v, from.phi - to.phi) / horizon_.intervals[k].h;
     hold_.states[k + 1] = horizon_.intervals[k].jacobian.leftCols<5>() * hold_.states[k] +
-                          horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
+      horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
   }
   return solver_.solve(horizon_, problem_, hold_, solver_options(false));
 }

@@ -18,8 +18,8 @@ struct HorizonModel : ocp::ModelBase<5, 2>
     double h = 0.0;  ///< [s]
   };
   std::vector<Interval> intervals;
-  State state_weight;      ///< per second
-  Control control_weight;  ///< likewise
+  State state_weight;       ///< per second
+  Control control_weight;   ///< likewise
   double end_weight = 0.0;  ///< the last state counts as if it lasted that long [s]
 
   void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
@@ -43,8 +43,8 @@ struct MpcAnswer
 };
 
 /// Model-predictive controller of one mode's motion about a reference: each step solves the linearised problem over the
-/// horizon, warm-started, within the bounds on v (also of the fastest wheel), phi, a and omega (also of the fastest turning
-/// wheel). After set-up it allocates nothing. Deterministic.
+/// horizon, warm-started, within the bounds on v (also of the fastest wheel), phi, a and omega (also of the fastest
+/// turning wheel). After set-up it allocates nothing. Deterministic.
 class Mpc
 {
 public:

@@ -22,13 +22,13 @@ Trouble Observer::observe(const TrackInput& input)
   return {};
 }
 
-/// A step that is no time or too much of it counts as none.
+/// A step of no sensible length counts as one control step.
 Trouble Observer::advance_clock(double now)
 {
-  const double period = last_now_ && std::isfinite(now) ? now - *last_now_ : 0.0;
+  const double period = last_now_ ? now - *last_now_ : 0.0;
   if (std::isfinite(now)) last_now_ = now;
   const bool regular = period >= 0.0 && period <= options_.step_timeout;
-  measured_.period = regular ? period : 0.0;
+  measured_.period = regular ? period : 1.0 / options_.controller_frequency;
   measured_.now += measured_.period;
   if (regular) return {};
   return {"the clock went on by %.3f s from one control step to the next, step_timeout is %.3f s", period,

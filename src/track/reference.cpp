@@ -34,8 +34,8 @@ void Reference::assign(const TrajectoryPoint* first, const TrajectoryPoint* end)
 {
   pieces_.assign(1, {*first, {}});
   for (const TrajectoryPoint* point = first; point + 1 < end; ++point) add_interval(point[0], point[1]);
-  const auto [least, greatest] = std::minmax_element(
-    first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
+  const auto [least, greatest] =
+    std::minmax_element(first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
   least_phi_ = least->phi;
   greatest_phi_ = greatest->phi;
 }
@@ -50,8 +50,15 @@ void Reference::add_interval(const TrajectoryPoint& from, const TrajectoryPoint&
   MotionState exact = state_of(from);
   for (int i = 0; i < parts; ++i)
   {
-    const TrajectoryPoint point = {from.t + i * duration / parts, from.mode, exact.pose.x, exact.pose.y, exact.pose.theta,
-                                   exact.v, exact.phi, input.a, input.omega};
+    const TrajectoryPoint point = {from.t + i * duration / parts,
+                                   from.mode,
+                                   exact.pose.x,
+                                   exact.pose.y,
+                                   exact.pose.theta,
+                                   exact.v,
+                                   exact.phi,
+                                   input.a,
+                                   input.omega};
     if (i == 0)
       pieces_.back().point = point;
     else

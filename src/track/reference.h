@@ -16,9 +16,9 @@ struct ReferencePoint
   MotionInput input;
 };
 
-/// One stretch of a trajectory: neighbouring points of one mode. Between the points v and phi are linear and the pose is rolled
-/// out; by how much that misses the next point (at most 5 mm, DESIGN.md section 3) is spread over the interval, so that the
-/// reference has no jumps. Before its beginning and after its end it rests.
+/// One stretch of a trajectory: neighbouring points of one mode. Between the points v and phi are linear and the pose
+/// is rolled out; by how much that misses the next point (at most 5 mm, DESIGN.md section 3) is spread over the
+/// interval, so that the reference has no jumps. Before its beginning and after its end it rests.
 class Reference
 {
 public:
@@ -45,8 +45,8 @@ public:
   double greatest_phi() const { return greatest_phi_; }
 
 private:
-  /// A point, so close to the next that a roll-out between them is as good as exact, and how fast that roll-out has to drift
-  /// aside to meet the next.
+  /// A point, so close to the next that a roll-out between them is as good as exact, and how fast that roll-out has to
+  /// drift aside to meet the next.
   struct Piece
   {
     TrajectoryPoint point;

@@ -21,12 +21,13 @@ Pose velocity(const Robot& robot, Mode mode, double theta, double v, double phi)
 
 MotionState roll_out(const Robot& robot, Mode mode, const MotionState& start, const MotionInput& input, double duration)
 {
-  const auto at = [&](double fraction, double theta) {
+  const auto at = [&](double fraction, double theta)
+  {
     const double t = fraction * duration;
     return velocity(robot, mode, theta, start.v + t * input.a, start.phi + t * input.omega);
   };
-  // The velocity depends on the pose through theta alone, and theta's rate not even on that: its integral by Simpson's rule
-  // up to the middle and to the end.
+  // The velocity depends on the pose through theta alone, and theta's rate not even on that: its integral by Simpson's
+  // rule up to the middle and to the end.
   const double theta = start.pose.theta;
   const double w0 = at(0.0, 0.0).theta, w1 = at(0.5, 0.0).theta, w2 = at(1.0, 0.0).theta;
   const double middle = theta + duration / 24.0 * (5.0 * w0 + 8.0 * w1 - w2);

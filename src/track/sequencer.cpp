@@ -15,8 +15,13 @@ constexpr double kBlindStop = 1.0;
 }  // namespace
 
 Sequencer::Sequencer(const Robot& robot, const TrackOptions& options)
-  : robot_(robot), options_(options), observer_(options), follower_(robot, options), steering_(robot),
-    corrector_(robot, options), measured_(observer_.measured())
+  : robot_(robot),
+    options_(options),
+    observer_(options),
+    follower_(robot, options),
+    steering_(robot),
+    corrector_(robot, options),
+    measured_(observer_.measured())
 {
 }
 
@@ -115,8 +120,8 @@ WheelCommand Sequencer::align(const WheelState& wheels)
     return drive();
   }
   if (elapsed_ <= options_.alignment_timeout) return steering_.command();
-  brake_for({"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_,
-             options_.alignment_timeout});
+  brake_for(
+    {"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_, options_.alignment_timeout});
   return brake();
 }
 
@@ -151,9 +156,8 @@ void Sequencer::finish_stretch()
   corrector_.finish();
   if (!reached && is_last())
     return enter(TrackState::failed,
-                        {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer",
-                         distance(measured_.pose, place.pose),
-                         std::abs(wrap_angle(measured_.pose.theta - place.pose.theta))});
+                 {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer",
+                  distance(measured_.pose, place.pose), std::abs(wrap_angle(measured_.pose.theta - place.pose.theta))});
   if (is_last()) return enter(TrackState::arrived);
   ++index_;
   start_aligning();
@@ -170,7 +174,7 @@ RestingPlace Sequencer::resting_place() const
 /// Reduces the speed along the present curve; at rest, holds the wheels.
 WheelCommand Sequencer::brake()
 {
-  const ModeMotion slower = follower_.brake(measured_);
+  const ModeMotion slower = follower_.brake();
   rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
   if (rolling_) return steering_.command();
   const double ramp = robot_.max_speed / robot_.max_acceleration;

@@ -12,8 +12,8 @@ namespace fourwis
 
 /// What to do next, from control step to control step:
 ///
-///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ... arrived
-///   aligning, driving --stop() or trouble--> stopping --at rest--> idle or failed
+///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ...
+///   arrived aligning, driving --stop() or trouble--> stopping --at rest--> idle or failed
 ///
 /// At a stretch's end too far from where it should be, a creeping correction comes first, a stretch like any other.
 class Sequencer
@@ -21,8 +21,8 @@ class Sequencer
 public:
   Sequencer(const Robot& robot, const TrackOptions& options);
 
-  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. A mission that was waiting is
-  /// handed back in exchange.
+  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. A mission that was
+  /// waiting is handed back in exchange.
   void take(Mission& mission);
 
   /// Brakes to rest and forgets all missions.
@@ -70,10 +70,10 @@ private:
   const Measurement& measured_;
 
   TrackState state_ = TrackState::idle;
-  Trouble reason_;         ///< for being in it, where there is one to be told
-  double elapsed_ = 0.0;   ///< in it [s]
-  bool fails_ = false;     ///< whether braking ends in `failed` or in `idle`
-  bool rolling_ = false;   ///< whether there is anything to brake
+  Trouble reason_;        ///< for being in it, where there is one to be told
+  double elapsed_ = 0.0;  ///< in it [s]
+  bool fails_ = false;    ///< whether braking ends in `failed` or in `idle`
+  bool rolling_ = false;  ///< whether there is anything to brake
   Sentence message_{};
 
   Mission mission_, next_;

@@ -9,15 +9,15 @@
 namespace fourwis
 {
 
-/// Turns the motion of a mode into commands for the wheels: chooses branches at rest, keeps them while moving, slows all
-/// wheels down by one factor where one would be too fast.
+/// Turns the motion of a mode into commands for the wheels: chooses branches at rest, keeps them while moving, slows
+/// all wheels down by one factor where one would be too fast.
 class SteeringUnit
 {
 public:
   explicit SteeringUnit(const Robot& robot) : robot_(robot) {}
 
-  /// At rest: branches for a stretch of `mode` that begins at `start` and keeps within `wanted`, nearest to the measured
-  /// angles.
+  /// At rest: branches for a stretch of `mode` that begins at `start` and keeps within `wanted`, nearest to the
+  /// measured angles.
   Trouble choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured);
 
   /// What phi may be on the branches chosen: some more than was wanted where the wheels' travel has it.

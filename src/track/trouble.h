@@ -6,8 +6,8 @@
 namespace fourwis
 {
 
-/// Why the robot has to stop: a sentence with up to two numbers in it, as std::printf has them, or nothing. A number without a
-/// place in the sentence is left out.
+/// Why the robot has to stop: a sentence with up to two numbers in it, as std::printf has them, or nothing. A number
+/// without a place in the sentence is left out.
 struct Trouble
 {
   const char* format = nullptr;  ///< of static storage

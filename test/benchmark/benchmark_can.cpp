@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "can_latency.h"
-#include "statistics.h"
 #include "table.h"
 
 namespace po = boost::program_options;
@@ -21,13 +20,14 @@ using Names = std::vector<std::string>;
 void report_latencies(const Report& report, const Names& buses, int commands)
 {
   report.title("From a callback with a command to its frames in the kernel");
-  Table table({"bus", "commands", "frames each", "p50 us", "p99 us", "worst us", "priority"});
+  Table table({"bus", "commands", "p50 us", "p99 us", "worst us", "priority"});
   for (const std::string& bus : buses)
   {
     const CanLatency latency = measure_can_latency(bus, commands);
-    table.add({bus, std::to_string(latency.microseconds.size()), fixed(median(latency.frames), 0),
-               fixed(median(latency.microseconds), 0), fixed(quantile(latency.microseconds, 0.99), 0),
-               fixed(worst(latency.microseconds), 0), latency.real_time ? "real-time" : "normal"});
+    const auto microseconds = [](double seconds) { return fixed(1e6 * seconds, 0); };
+    table.add({bus, std::to_string(latency.delays.count()), microseconds(latency.delays.percentile(0.5)),
+               microseconds(latency.delays.percentile(0.99)), microseconds(latency.delays.longest()),
+               latency.real_time ? "real-time" : "normal"});
   }
   report.table(table);
 }

@@ -30,7 +30,9 @@ Circumstances adverse(Circumstances circumstances)
 std::vector<Variation> variations(const Circumstances& usual)
 {
   std::vector<Variation> all;
-  const auto vary = [&](const std::string& name) -> Circumstances& { return all.emplace_back(Variation{name, usual}).circumstances; };
+  const auto vary = [&](const std::string& name) -> Circumstances& {
+    return all.emplace_back(Variation{name, usual}).circumstances;
+  };
   vary("20 Hz").track.controller_frequency = 20.0;
   vary("60 ms latency, 20 ms expected").simulator.command_latency = 0.06;
   vary("lags twice as long as expected").simulator.actuators = {0.04, 0.06, 12.0};
@@ -57,8 +59,8 @@ void run(const Setup& setup, bool markdown)
 }  // namespace
 }  // namespace fourwis::benchmark
 
-/// Drives the environments' plans on the simulated base, without a ROS master, and prints tables. Exit status 0, or 2 with a
-/// line on the standard error for unusable input.
+/// Drives the environments' plans on the simulated base, without a ROS master, and prints tables. Exit status 0, or 2
+/// with a line on the standard error for unusable input.
 int main(int argc, char** argv)
 {
   try

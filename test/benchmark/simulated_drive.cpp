@@ -23,9 +23,12 @@ class SimulatedDrive
 {
 public:
   SimulatedDrive(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid, int seed)
-    : circumstances_(circumstances), trajectory_(trajectory), random_(static_cast<unsigned>(seed)),
+    : circumstances_(circumstances),
+      trajectory_(trajectory),
+      random_(static_cast<unsigned>(seed)),
       base_(circumstances.robot, with_seed(circumstances.simulator, seed)),
-      tracker_(circumstances.robot, circumstances.track), period_(1.0 / circumstances.track.controller_frequency)
+      tracker_(circumstances.robot, circumstances.track),
+      period_(1.0 / circumstances.track.controller_frequency)
   {
     if (grid) footprint_.emplace(*grid, circumstances.robot);
     const double r = kStartOffset, turn = kStartTurn;
@@ -39,7 +42,9 @@ public:
     result_.state = TrackState::failed;
     if (!result_.message.empty()) return result_;
     const double patience = 2.0 * trajectory_.back().t + kPatience;
-    while (base_.time() < patience && step()) {}
+    while (base_.time() < patience && step())
+    {
+    }
     const Pose goal = trajectory_.back().pose();
     result_.terminal_position = distance(pose(), goal);
     result_.terminal_heading = std::abs(wrap_angle(pose().theta - goal.theta));
@@ -82,7 +87,7 @@ private:
     base_.command(output.command);
     let_time_pass();
     return output.state == TrackState::aligning || output.state == TrackState::driving ||
-           output.state == TrackState::stopping;
+      output.state == TrackState::stopping;
   }
 
   void observe(const TrackOutput& output, double ms)
@@ -91,7 +96,10 @@ private:
     result_.step_ms.push_back(ms);
     const TrajectoryPoint should =
       trajectory_at(circumstances_.robot, trajectory_, output.t + base_.time() - seen_.front().first);
-    const double course = should.theta + (should.mode == Mode::lateral ? M_PI_2 : should.mode == Mode::parallel ? should.phi : 0.0);
+    const double course = should.theta +
+      (should.mode == Mode::lateral      ? M_PI_2
+         : should.mode == Mode::parallel ? should.phi
+                                         : 0.0);
     const Pose error = relative_to({should.x, should.y, course}, pose());
     result_.longitudinal.push_back(std::abs(error.x));
     result_.lateral.push_back(std::abs(error.y));
@@ -102,7 +110,8 @@ private:
   /// Where the robot is.
   Pose pose() const { return compose(world_, base_.pose()); }
 
-  /// Moves the body aside, wheels turning on: to the base all places are the same. Not into an obstacle; it waits for room.
+  /// Moves the body aside, wheels turning on: to the base all places are the same. Not into an obstacle; it waits for
+  /// room.
   void push()
   {
     const Pose there = compose(pose(), circumstances_.push->by);
@@ -136,7 +145,8 @@ private:
 
 }  // namespace
 
-DriveResult simulate(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid, int seed)
+DriveResult simulate(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid,
+                     int seed)
 {
   return SimulatedDrive(circumstances, trajectory, grid, seed).run();
 }

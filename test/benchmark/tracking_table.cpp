@@ -75,8 +75,8 @@ std::vector<std::string> row(const PlannedEnvironment& environment, const Drives
 }
 
 const std::vector<std::string> kHeader = {
-  "environment", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg",
-  "step ms", "p99", "AT s", "of it driving", "driven s", "more %", "aligning s"};
+  "environment", "arrived", "collided", "lateral mm", "max",           "longitudinal mm", "max",    "at goal mm",
+  "deg",         "step ms", "p99",      "AT s",       "of it driving", "driven s",        "more %", "aligning s"};
 
 std::vector<std::string> paper_row()
 {
@@ -140,7 +140,8 @@ void report_tracking(const Report& report, const Circumstances& circumstances, i
 void report_variations(const Report& report, const std::vector<Variation>& variations, int seeds,
                        const std::vector<PlannedEnvironment>& environments)
 {
-  Table table({"what differs", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg"});
+  Table table(
+    {"what differs", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg"});
   for (const Variation& variation : variations)
   {
     Drives drives;
@@ -174,7 +175,8 @@ void report_pushes(const Report& report, const Circumstances& circumstances, int
     }
     table.add({environment.id, std::to_string(drives.count), std::to_string(drives.arrived),
                std::to_string(drives.stopped), std::to_string(drives.collided), fixed(1e3 * worst(drives.lateral), 1),
-               fixed(1e3 * median(drives.terminal_position), 1), fixed(180.0 / M_PI * median(drives.terminal_heading), 2)});
+               fixed(1e3 * median(drives.terminal_position), 1),
+               fixed(180.0 / M_PI * median(drives.terminal_heading), 2)});
     if (!drives.message.empty()) report.line(environment.id + ": " + drives.message);
   }
   report.title("Pushed off the trajectory by 0.1 m or 10 degrees");

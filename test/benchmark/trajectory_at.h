@@ -6,8 +6,8 @@
 namespace fourwis::benchmark
 {
 
-/// The trajectory at time t, its kinematics integrated from the point before in small steps: the referee of tracking errors,
-/// which shares nothing with the tracker.
+/// The trajectory at time t, its kinematics integrated from the point before in small steps: the referee of tracking
+/// errors, which shares nothing with the tracker.
 TrajectoryPoint trajectory_at(const Robot& robot, const Trajectory& trajectory, double t);
 
 /// Its duration without the switches [s].

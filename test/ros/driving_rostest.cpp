@@ -35,9 +35,12 @@ protected:
   void expect_refused(const ModeTrajectory& trajectory, const std::string& reason)
   {
     trajectory_.publish(trajectory);
-    const auto refusal = wait_for_state(Tracking::FAILED, trajectory.header.stamp);
-    ASSERT_TRUE(refusal);
-    EXPECT_NE(refusal->message.find(reason), std::string::npos) << refusal->message;
+    const auto says_so = [&](const Tracking& t)
+    {
+      return t.state == Tracking::FAILED && t.trajectory == trajectory.header.stamp &&
+             t.message.find(reason) != std::string::npos;
+    };
+    EXPECT_TRUE(wait_for_tracking(says_so)) << reason;
   }
 };
 

@@ -60,6 +60,9 @@ public:
     return text;
   }
 
+  /// Asks it to end.
+  void terminate() { kill(process_, SIGTERM); }
+
   /// Waits for it to end by itself; its exit status, -1 when a signal ended it.
   int exit_status()
   {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "fourwis_navigation/can/bus.h"
+#include "fourwis_navigation/can/real_time.h"
 #include "fourwis_navigation/sim/fake_drives.h"
 
 namespace fourwis
@@ -16,9 +17,15 @@ namespace fourwis
 class RealTimeDrives
 {
 public:
-  explicit RealTimeDrives(const std::string& bus)
+  /// `priority`: as of a can::BridgeThread.
+  explicit RealTimeDrives(const std::string& bus, int priority = 0)
     : bus_(can::open_bus(bus)), drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()),
-      thread_([this] { run(); })
+      thread_(
+        [this, priority]
+        {
+          if (priority > 0) can::become_real_time(priority);
+          run();
+        })
   {
   }
   ~RealTimeDrives()

@@ -10,7 +10,8 @@
 namespace fourwis
 {
 
-/// A base whose wheels have the commanded speeds at once and turn as fast as they can, and a body that moves as they roll.
+/// A base whose wheels have the commanded speeds at once and turn as fast as they can, and a body that moves as they
+/// roll.
 class IdealBase
 {
 public:

@@ -9,8 +9,10 @@
 namespace fourwis
 {
 
-/// A stretch of one mode from rest to rest within the limits: v and phi linear between points that are so far apart in time.
-inline Trajectory random_stretch(Random& random, const Robot& robot, Mode mode, double spacing = 0.2, int intervals = 12)
+/// A stretch of one mode from rest to rest within the limits: v and phi linear between points that are so far apart in
+/// time.
+inline Trajectory random_stretch(Random& random, const Robot& robot, Mode mode, double spacing = 0.2,
+                                 int intervals = 12)
 {
   const double greatest_phi = mode == Mode::parallel ? 1.2 : 0.8 * robot.max_steering_angle;
   const double most = 0.8 * robot.max_acceleration * spacing;

@@ -64,8 +64,7 @@ TEST(ErrorModel, RateIsThatOfTheKinematics)
     const Situation s = random_situation(random, robot, 0.3);
     const ErrorModel model(robot, s.mode);
     const MotionInput& u = s.reference.input;
-    const MotionState real =
-      roll_out(robot, s.mode, displaced(model, s), {u.a + s.input[0], u.omega + s.input[1]}, h);
+    const MotionState real = roll_out(robot, s.mode, displaced(model, s), {u.a + s.input[0], u.omega + s.input[1]}, h);
     const MotionState reference = roll_out(robot, s.mode, s.reference.state, u, h);
     const ErrorState change = (model.error(real, reference) - s.error) / h;
     EXPECT_LT((change - model.rate(s.error, s.input, s.reference)).norm(), 2e-4);

@@ -24,18 +24,22 @@ struct Scene
   double t;
 
   Scene(Random& random, double size)
-    : mode(random.mode()), points(random_stretch(random, robot, mode)),
-      reference(robot, points.data(), points.data() + points.size()), t(random.between(0.0, 2.0))
+    : mode(random.mode()),
+      points(random_stretch(random, robot, mode)),
+      reference(robot, points.data(), points.data() + points.size()),
+      t(random.between(0.0, 2.0))
   {
     state = reference.at(t).state;
-    state.pose = compose(state.pose, {random.between(-size, size), random.between(-size, size), random.between(-size, size)});
+    state.pose =
+      compose(state.pose, {random.between(-size, size), random.between(-size, size), random.between(-size, size)});
     state.v += random.between(-size, size);
     state.phi += random.between(-size, size);
   }
 
   SteeringRange range() const
   {
-    return mode == Mode::parallel ? SteeringRange{-2.0, 2.0} : SteeringRange{-robot.max_steering_angle, robot.max_steering_angle};
+    return mode == Mode::parallel ? SteeringRange{-2.0, 2.0}
+                                  : SteeringRange{-robot.max_steering_angle, robot.max_steering_angle};
   }
 };
 
@@ -87,7 +91,9 @@ TEST(Mpc, OnTheReferenceTheAnswerIsTheReference)
     EXPECT_NEAR(scene.state.v + h * answer.input.a, next.v, 2e-3);
     EXPECT_NEAR(scene.state.phi + h * answer.input.omega, next.phi, 2e-3);
     for (std::size_t k = 0; k < mpc.prediction().size(); k += 5)
-      EXPECT_LT(distance(mpc.prediction()[k], scene.reference.at(scene.t + (k == 0 ? 0.0 : h + (1.0 - h) * double(k - 1) / 24)).state.pose), 2e-3);
+      EXPECT_LT(distance(mpc.prediction()[k],
+                         scene.reference.at(scene.t + (k == 0 ? 0.0 : h + (1.0 - h) * double(k - 1) / 24)).state.pose),
+                2e-3);
   }
 }
 
@@ -105,7 +111,8 @@ TEST(Mpc, WhereNoBoundIsActiveItIsTheLeastSquaresSolution)
     const std::vector<ErrorInput> zero(mpc.solution().controls.size(), ErrorInput::Zero());
     // The cost is quadratic: its gradient and Hessian come exactly from values at unit inputs.
     const int n = 2 * static_cast<int>(zero.size());
-    const auto at = [&](int i, int j) {
+    const auto at = [&](int i, int j)
+    {
       std::vector<ErrorInput> inputs = zero;
       if (i >= 0) inputs[static_cast<std::size_t>(i / 2)][i % 2] += 1.0;
       if (j >= 0) inputs[static_cast<std::size_t>(j / 2)][j % 2] += 1.0;

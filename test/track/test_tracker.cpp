@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "random_stretch.h"
 #include "track_fixture.h"
 
 namespace fourwis
@@ -9,23 +10,172 @@ namespace fourwis
 namespace
 {
 
-TEST(Tracker, IdealWheelsKeepToTheTrajectory)
+constexpr unsigned kSeed = 44;
+
+/// The greatest errors of a drive to the end.
+struct Errors
+{
+  double lateral = 0.0, longitudinal = 0.0, heading = 0.0;
+  std::vector<double> all;  ///< lateral ones, in the order in which they occurred
+};
+
+Errors drive(Rig& rig)
+{
+  Errors errors;
+  rig.step_until(
+    [&]
+    {
+      if (rig.output.state == TrackState::driving)
+      {
+        errors.lateral = std::max(errors.lateral, std::abs(rig.output.lateral_error));
+        errors.longitudinal = std::max(errors.longitudinal, std::abs(rig.output.longitudinal_error));
+        errors.heading = std::max(errors.heading, std::abs(rig.output.heading_error));
+        errors.all.push_back(rig.output.lateral_error);
+      }
+      return is_resting(rig.output.state);
+    });
+  return errors;
+}
+
+void expect_within_a_millimetre(const Pose& start, const Trajectory& trajectory)
+{
+  Rig rig(start);
+  ASSERT_EQ(rig.tracker.accept(trajectory), "");
+  const Errors errors = drive(rig);
+  EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
+  EXPECT_LT(errors.lateral, 1e-3);
+  EXPECT_LT(errors.longitudinal, 1e-3);
+  EXPECT_LT(errors.heading, 2e-3);
+  EXPECT_LT(distance(rig.base.pose(), trajectory.back().pose()), 1.5e-3);
+  EXPECT_LT(std::abs(rig.base.pose().theta - trajectory.back().theta), 2e-3);
+}
+
+TEST(Tracker, IdealWheelsKeepToLinesArcsCuspsAndSwitches)
 {
   const Robot robot;
-  for (const std::vector<Piece>& pieces : std::vector<std::vector<Piece>>{
-         {{Mode::ackermann, 0.0, 3.0}},
-         {{Mode::ackermann, 0.3, 2.0}},
-         {{Mode::ackermann, 0.3, 1.0}, {Mode::ackermann, -0.3, -1.0}},
-         {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}}})
+  const Pose start = {1.0, 2.0, 0.5};
+  for (const std::vector<Piece>& pieces :
+       std::vector<std::vector<Piece>>{{{Mode::ackermann, 0.0, 3.0}},
+                                       {{Mode::ackermann, 0.3, 2.0}},
+                                       {{Mode::ackermann, -0.4, -1.5}},
+                                       {{Mode::lateral, 0.0, 2.0}},
+                                       {{Mode::lateral, -0.3, -1.5}},
+                                       {{Mode::parallel, 0.8, 2.0}},
+                                       {{Mode::parallel, -1.5, -1.0}},
+                                       {{Mode::ackermann, 0.3, 1.0}, {Mode::ackermann, 0.3, -1.0}},
+                                       {{Mode::lateral, 0.2, -1.5},
+                                        {Mode::ackermann, 0.1, 1.0},
+                                        {Mode::parallel, 0.7, 1.0},
+                                        {Mode::lateral, 0.0, 0.5}}})
+    expect_within_a_millimetre(start, trajectory_of(robot, start, pieces));
+}
+
+TEST(Tracker, IdealWheelsKeepToRandomStretches)
+{
+  const Robot robot;
+  Random random(kSeed);
+  for (int trial = 0; trial < 30; ++trial)
   {
-    const Pose start = {1.0, 2.0, 0.5};
-    Tracker tracker(robot, ideal_options());
-    IdealBase base(robot, start);
-    EXPECT_EQ(tracker.accept(trajectory_of(robot, start, pieces)), "");
-    const Drive result = drive(tracker, base);
-    EXPECT_EQ(result.state, TrackState::arrived) << result.message;
-    std::printf("%d %s %.2f s, lat %.2f lon %.2f mm, %.3f rad\n", int(result.state), result.message.c_str(), result.seconds,
-                1e3 * result.worst_lateral, 1e3 * result.worst_longitudinal, result.worst_heading);
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+    const Trajectory trajectory = random_stretch(random, robot, random.mode());
+    expect_within_a_millimetre(trajectory.front().pose(), trajectory);
+  }
+}
+
+TEST(Tracker, TheMirrorImageIsDrivenLikeTheOriginal)
+{
+  const Robot robot;
+  const Trajectory left = trajectory_of(robot, {}, {{Mode::ackermann, 0.3, 1.0}, {Mode::lateral, 0.2, 1.0}});
+  Trajectory right = left;
+  for (TrajectoryPoint& point : right)
+  {
+    point.y = -point.y;
+    point.theta = -point.theta;
+    // Lateral motion to the right is lateral motion with v < 0, and keeps the sense in which it turns by keeping phi.
+    if (point.mode == Mode::lateral)
+      point.v = -point.v;
+    else
+      point.phi = -point.phi;
+  }
+  Rig original({0.0, 0.02, 0.0}), mirrored({0.0, -0.02, 0.0});
+  ASSERT_EQ(original.tracker.accept(left), "");
+  ASSERT_EQ(mirrored.tracker.accept(right), "");
+  for (int k = 0; k < 400; ++k)
+  {
+    original.step();
+    mirrored.step();
+    ASSERT_EQ(original.output.state, mirrored.output.state) << k;
+    EXPECT_NEAR(original.base.pose().x, mirrored.base.pose().x, 1e-4) << k;
+    EXPECT_NEAR(original.base.pose().y, -mirrored.base.pose().y, 1e-4) << k;
+  }
+  EXPECT_EQ(original.output.state, TrackState::arrived);
+}
+
+TEST(Tracker, ReturnsFromBesideTheTrajectory)
+{
+  const Robot robot;
+  for (const Mode mode : kPlannedModes)
+    for (const Pose& push : {Pose{0.0, 0.1, 0.0}, Pose{-0.1, 0.0, 0.0}, Pose{0.0, 0.0, M_PI / 18}})
+    {
+      if (mode == Mode::parallel && push.theta != 0.0) continue;  // has no way to turn, see the corrections
+      Rig rig;
+      const Trajectory trajectory = trajectory_of(robot, {}, {{mode, 0.0, 5.0}});
+      ASSERT_EQ(rig.tracker.accept(trajectory), "");
+      ASSERT_TRUE(rig.step_until_fast(0.9));
+      rig.base.push(compose(rig.base.pose(), push));
+      const Errors errors = drive(rig);
+      EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
+      EXPECT_LT(errors.lateral, 0.105);
+      EXPECT_LT(distance(rig.base.pose(), trajectory.back().pose()), 0.01);
+    }
+}
+
+TEST(Tracker, TwentyHertzWillDo)
+{
+  TrackOptions options = ideal_options();
+  options.controller_frequency = 20.0;
+  Rig rig({}, options);
+  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.3, 2.0}, {Mode::lateral, 0.1, 1.0}})),
+            "");
+  const Errors errors = drive(rig);
+  EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
+  EXPECT_LT(errors.lateral, 3e-3);
+  EXPECT_LT(errors.longitudinal, 5e-3);
+}
+
+TEST(Tracker, OnePointIsAlreadyThere)
+{
+  Rig rig;
+  ASSERT_EQ(rig.tracker.accept({{0.0, Mode::ackermann, 0.0, 0.0, 0.0, 0.0, 0.0}}), "");
+  EXPECT_TRUE(rig.step_until_rest());
+  EXPECT_EQ(rig.output.state, TrackState::arrived);
+}
+
+TEST(Tracker, PredictsWhileDriving)
+{
+  Rig rig;
+  EXPECT_TRUE(rig.tracker.prediction().empty());
+  ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 3.0}})), "");
+  ASSERT_TRUE(rig.step_until_fast());
+  ASSERT_EQ(rig.tracker.prediction().size(), 26u);
+  EXPECT_NEAR(rig.tracker.prediction().back().x - rig.tracker.prediction().front().x, 1.0, 0.1);
+  ASSERT_TRUE(rig.step_until_rest());
+  EXPECT_TRUE(rig.tracker.prediction().empty());
+}
+
+TEST(Tracker, TheSameCallsGiveTheSameAnswers)
+{
+  Rig one({0.01, 0.02, 0.03}), two({0.01, 0.02, 0.03});
+  for (Rig* rig : {&one, &two})
+    ASSERT_EQ(
+      rig->tracker.accept(trajectory_of(rig->robot, {}, {{Mode::ackermann, 0.2, 1.0}, {Mode::parallel, 1.0, 1.0}})),
+      "");
+  for (int k = 0; k < 300; ++k)
+  {
+    const WheelCommand a = one.step().command, b = two.step().command;
+    EXPECT_EQ(a.motion.angle, b.motion.angle);
+    EXPECT_EQ(a.motion.speed, b.motion.speed);
+    EXPECT_EQ(a.sequence, b.sequence);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,14 +14,15 @@
 namespace fourwis
 {
 
-/// One piece after the other from `start`, with stops where steering, direction or mode change.
+/// Part of a path: a mode, its steering angle, a signed length.
 struct Piece
 {
   Mode mode;
   double phi, length;
 };
 
-inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std::vector<Piece>& pieces, double speed = 1.0)
+/// One piece after the other, with stops where steering, direction or mode change.
+inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std::vector<Piece>& pieces)
 {
   Path path;
   Pose at = start;
@@ -30,7 +32,7 @@ inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std
     at = advance(robot, at, piece.mode, piece.phi, piece.length);
   }
   path.goal = at;
-  return stop_and_steer(path, robot, speed);
+  return stop_and_steer(path, robot, robot.max_speed);
 }
 
 /// A tracker that knows that IdealBase neither lags nor is late.
@@ -41,36 +43,67 @@ inline TrackOptions ideal_options()
   return options;
 }
 
-/// What a drive was like.
-struct Drive
+inline bool is_resting(TrackState state)
 {
-  TrackState state = TrackState::idle;
-  std::string message;
-  double seconds = 0.0;
-  double worst_lateral = 0.0, worst_longitudinal = 0.0, worst_heading = 0.0;  ///< while driving
-};
-
-/// Steps tracker and base until the tracker rests, at most `patience` seconds.
-inline Drive drive(Tracker& tracker, IdealBase& base, double period = 0.02, double patience = 120.0)
-{
-  Drive result;
-  for (; result.seconds < patience; result.seconds += period)
-  {
-    const TrackOutput output = tracker.step({base.wheels().stamp, base.wheels().stamp, base.pose(), base.wheels()});
-    result.state = output.state;
-    result.message = output.message;
-    if (output.state == TrackState::driving)
-    {
-      result.worst_lateral = std::max(result.worst_lateral, std::abs(output.lateral_error));
-      result.worst_longitudinal = std::max(result.worst_longitudinal, std::abs(output.longitudinal_error));
-      result.worst_heading = std::max(result.worst_heading, std::abs(output.heading_error));
-    }
-    base.step(output.command, period);
-    const bool rests = output.state != TrackState::aligning && output.state != TrackState::driving &&
-                       output.state != TrackState::stopping;
-    if (rests) break;
-  }
-  return result;
+  return state != TrackState::aligning && state != TrackState::driving && state != TrackState::stopping;
 }
+
+/// A tracker on an ideal base, and what somebody in between may do to what it is told.
+class Rig
+{
+public:
+  explicit Rig(const Pose& start = {}, const TrackOptions& options = ideal_options())
+    : base(robot, start),
+      tracker(robot, options),
+      period(1.0 / options.controller_frequency)
+  {
+  }
+
+  /// One control step.
+  const TrackOutput& step()
+  {
+    TrackInput input = {base.wheels().stamp + clock, base.wheels().stamp + clock, base.pose(), base.wheels()};
+    input.wheels.stamp += clock;
+    if (tamper) tamper(input);
+    output = tracker.step(input);
+    message = std::string(output.message);
+    base.step(output.command, period);
+    return output;
+  }
+
+  /// Until that is true, or patience is over [s].
+  bool step_until(const std::function<bool()>& reached, double patience = 120.0)
+  {
+    for (double time = 0.0; time < patience; time += period)
+    {
+      step();
+      if (reached()) return true;
+    }
+    return false;
+  }
+  bool step_until(TrackState state, double patience = 120.0)
+  {
+    return step_until([&] { return output.state == state; }, patience);
+  }
+  bool step_until_rest()
+  {
+    return step_until([&] { return is_resting(output.state); });
+  }
+
+  /// Until it drives at more than that speed [m/s].
+  bool step_until_fast(double speed = 0.5)
+  {
+    return step_until([&] { return output.state == TrackState::driving && std::abs(output.speed) > speed; });
+  }
+
+  const Robot robot;
+  IdealBase base;
+  Tracker tracker;
+  const double period;
+  double clock = 0.0;                       ///< what the clock is wrong by [s]
+  std::function<void(TrackInput&)> tamper;  ///< changes what the tracker is told
+  TrackOutput output;
+  std::string message;  ///< the last step's
+};
 
 }  // namespace fourwis

@@ -10,43 +10,43 @@ struct TrackOptions
 {
   double controller_frequency = 50.0;  ///< control steps each second [Hz]; the paper's controller has 20
 
-  // The model-predictive controller. It weighs deviations against each other: one as large as its `..._scale` costs as much
-  // as any other one as large as its own.
-  double horizon = 1.0;                  ///< how far it looks ahead [s]
-  int knots = 25;                        ///< intervals of the horizon; the first is one control step long
-  double lateral_scale = 0.02;           ///< across the direction of travel [m]
-  double longitudinal_scale = 0.02;      ///< along it [m]
-  double heading_scale = 0.05;           ///< [rad]
-  double speed_scale = 0.5;              ///< [m/s]
-  double steering_scale = 0.5;           ///< of phi [rad]
-  double acceleration_scale = 2.0;       ///< of a [m/s^2]
-  double steering_rate_scale = 2.0;      ///< of omega [rad/s]
+  // The model-predictive controller. It weighs deviations against each other: one as large as its `..._scale` costs as
+  // much as any other one as large as its own.
+  double horizon = 1.0;              ///< how far it looks ahead [s]
+  int knots = 25;                    ///< intervals of the horizon; the first is one control step long
+  double lateral_scale = 0.02;       ///< across the direction of travel [m]
+  double longitudinal_scale = 0.04;  ///< along it [m]
+  double heading_scale = 0.05;       ///< [rad]
+  double speed_scale = 0.5;          ///< [m/s]
+  double steering_scale = 0.5;       ///< of phi [rad]
+  double acceleration_scale = 4.0;   ///< of a [m/s^2]
+  double steering_rate_scale = 2.0;  ///< of omega [rad/s]
 
   // What is known of the base between a measurement and what a command does.
   double command_latency = 0.02;  ///< from the measurement to the command that it leads to taking effect [s]
-  double drive_lag = 0.03;       ///< time constant of the wheels' speeds [s]
-  double steering_lag = 0.02;    ///< time constant of the wheels' angles [s]
+  double drive_lag = 0.03;        ///< time constant of the wheels' speeds [s]
+  double steering_lag = 0.02;     ///< time constant of the wheels' angles [s]
 
   // Goal and switches.
-  double xy_goal_tolerance = 0.01;                ///< distance from the goal at which it is reached [m]
-  double yaw_goal_tolerance = 0.5 * M_PI / 180;   ///< likewise [rad]
-  double xy_switch_tolerance = 0.03;              ///< likewise from the place of a switch [m]
-  double yaw_switch_tolerance = 0.03;             ///< likewise [rad]
-  double correction_speed = 0.1;                  ///< of the creeping motion that removes what is left over [m/s]
-  double correction_timeout = 10.0;               ///< it may take that long, alignments included [s]
-  double settle_time = 0.5;                       ///< after the end of a stretch, to remove the longitudinal error [s]
-  double rest_speed = 0.01;                       ///< a wheel that rolls no faster is at rest [m/s]
-  double alignment_timeout = 5.0;                 ///< the wheels must be aligned by then [s]
+  double xy_goal_tolerance = 0.01;               ///< distance from the goal at which it is reached [m]
+  double yaw_goal_tolerance = 0.5 * M_PI / 180;  ///< likewise [rad]
+  double xy_switch_tolerance = 0.03;             ///< likewise from the place of a switch [m]
+  double yaw_switch_tolerance = 0.03;            ///< likewise [rad]
+  double correction_speed = 0.1;                 ///< of the creeping motion that removes what is left over [m/s]
+  double correction_timeout = 10.0;              ///< it may take that long, alignments included [s]
+  double settle_time = 0.5;                      ///< after the end of a stretch, to remove the longitudinal error [s]
+  double rest_speed = 0.01;                      ///< a wheel that rolls no faster is at rest [m/s]
+  double alignment_timeout = 5.0;                ///< the wheels must be aligned by then [s]
 
   // What stops the robot.
-  double max_lateral_error = 0.15;       ///< [m]
-  double max_longitudinal_error = 0.3;   ///< [m]
-  double max_heading_error = 0.3;        ///< [rad]
-  double max_wheel_error = 0.15;         ///< of a wheel's angle, for longer than a moment [rad]
-  double clock_slack = 0.02;             ///< the trajectory's clock goes slower for a robot farther behind [m]
-  double pose_timeout = 0.2;             ///< greatest age of the pose [s]
-  double wheel_state_timeout = 0.2;      ///< greatest age of the wheels' state [s]
-  double step_timeout = 0.3;             ///< longest time from one control step to the next [s]
+  double max_lateral_error = 0.15;      ///< [m]
+  double max_longitudinal_error = 0.3;  ///< [m]
+  double max_heading_error = 0.3;       ///< [rad]
+  double max_wheel_error = 0.15;        ///< of a wheel's angle, for longer than a moment [rad]
+  double clock_slack = 0.02;            ///< the trajectory's clock goes slower for a robot farther behind [m]
+  double pose_timeout = 0.2;            ///< greatest age of the pose [s]
+  double wheel_state_timeout = 0.2;     ///< greatest age of the wheels' state [s]
+  double step_timeout = 0.3;            ///< longest time from one control step to the next [s]
 };
 
 /// Throws std::invalid_argument naming the option, its value and the range.

@@ -26,7 +26,8 @@ enum class TrackState : std::uint8_t
   failed = 5     ///< at rest, the trajectory is given up because of what `message` says
 };
 
-/// What is known of the robot when a control step begins. Any of it may be stale, missing or nonsense: the tracker judges.
+/// What is known of the robot when a control step begins. Any of it may be stale, missing or nonsense: the tracker
+/// judges.
 struct TrackInput
 {
   double now = 0.0;         ///< [s]
@@ -40,8 +41,8 @@ struct TrackOutput
 {
   WheelCommand command;  ///< with its sequence: `aligned` counts once the base has taken a command of this alignment
   TrackState state = TrackState::idle;
-  std::string_view message;  ///< why it stops or failed, otherwise empty; valid until the next step
-  double t = 0.0;         ///< where on the trajectory the robot should be at `pose_stamp` [s]
+  std::string_view message;         ///< why it stops or failed, otherwise empty; valid until the next step
+  double t = 0.0;                   ///< where on the trajectory the robot should be at `pose_stamp` [s]
   double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
   double longitudinal_error = 0.0;  ///< along the direction of travel [m]
   double heading_error = 0.0;       ///< [rad]
@@ -49,9 +50,9 @@ struct TrackOutput
   double phi = 0.0;                 ///< phi that the command stands for [rad]
 };
 
-/// Drives the wheels along a trajectory: brake to rest at each switch, turn the wheels, wait until they are aligned, go on
-/// with the trajectory's clock shifted; in between a model-predictive controller. A stop is always available. step() neither
-/// allocates nor locks. Deterministic: what it answers depends on the calls before it alone.
+/// Drives the wheels along a trajectory: brake to rest at each switch, turn the wheels, wait until they are aligned, go
+/// on with the trajectory's clock shifted; in between a model-predictive controller. A stop is always available. step()
+/// neither allocates nor locks. Deterministic: what it answers depends on the calls before it alone.
 class Tracker
 {
 public:
@@ -59,9 +60,9 @@ public:
   Tracker(const Robot& robot, const TrackOptions& options);
   ~Tracker();
 
-  /// Takes a trajectory to drive from its beginning, or says in a sentence why not (then the one before goes on). Only at
-  /// rest: while driving, the robot stops first and starts the new one if it is near its beginning then. An empty trajectory
-  /// stops.
+  /// Takes a trajectory to drive from its beginning, or says in a sentence why not (then the one before goes on). Only
+  /// at rest: while driving, the robot stops first and starts the new one if it is near its beginning then. An empty
+  /// trajectory stops.
   std::string accept(const Trajectory& trajectory);
 
   /// Brakes to rest and forgets the trajectory.

@@ -1,0 +1,165 @@
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "fourwis_navigation/ros/control_loop.h"
+#include "fourwis_navigation/ros/drive_conversions.h"
+#include "refusals.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr double kBegin = 100.0;  ///< when the first measurement is made [s]
+
+/// A robot that stands at the map's origin, whatever it is told.
+class ControlLoopTest : public testing::Test
+{
+protected:
+  ControlLoopTest()
+  {
+    std_msgs::Header header;
+    header.frame_id = "map";
+    tf_.setTransform(to_message(Pose{}, header, "odom"), "test", true);
+  }
+
+  /// One pair; what came of it.
+  std::optional<ControlStep> measure(double time)
+  {
+    nav_msgs::Odometry odometry;
+    odometry.header.stamp = ros::Time(time);
+    odometry.header.frame_id = "odom";
+    odometry.child_frame_id = "base_link";
+    odometry.pose.pose = to_message(Pose{});
+    WheelState wheels;
+    wheels.state = BaseState::enabled;
+    return loop_.measured(odometry, to_message(wheels, odometry.header.stamp, ""));
+  }
+
+  /// Pairs at 100 Hz from one time up to another; the steps that came of them.
+  std::vector<ControlStep> measure(double from, double to)
+  {
+    std::vector<ControlStep> steps;
+    for (int i = 0; from + i * 0.01 < to - 1e-6; ++i)
+      if (const auto step = measure(from + i * 0.01)) steps.push_back(*step);
+    return steps;
+  }
+
+  /// A metre forward.
+  static fourwis_navigation::ModeTrajectory trajectory(double stamp, const std::string& frame = "map")
+  {
+    std_msgs::Header header;
+    header.frame_id = frame;
+    header.stamp = ros::Time(stamp);
+    return to_message(Trajectory{{0.0, Mode::ackermann, 0, 0, 0, 0, 0, 1, 0},
+                                 {1.0, Mode::ackermann, 0.5, 0, 0, 1, 0, -1, 0},
+                                 {2.0, Mode::ackermann, 1.0, 0, 0, 0, 0, 0, 0}},
+                      header);
+  }
+  static fourwis_navigation::ModeTrajectory stop(double stamp)
+  {
+    fourwis_navigation::ModeTrajectory stop = trajectory(stamp);
+    stop.points.clear();
+    return stop;
+  }
+
+  /// What is said of it when it is refused right away.
+  std::string refusal(const fourwis_navigation::ModeTrajectory& trajectory)
+  {
+    refusals_.clear();
+    loop_.take(trajectory);
+    return refusals_.empty() ? "" : refusals_.back();
+  }
+
+  tf2::BufferCore tf_;
+  std::vector<std::string> refusals_;
+  ControlLoop loop_{{}, tf_, [this](const ros::Time&, const std::string& why) { refusals_.push_back(why); }};
+};
+
+TEST_F(ControlLoopTest, steps_at_the_controllers_frequency_on_pairs_that_come_faster)
+{
+  const std::vector<ControlStep> steps = measure(kBegin, kBegin + 1.0);
+  ASSERT_EQ(steps.size(), 50u);
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    EXPECT_NEAR((steps[i].stamp - steps[i - 1].stamp).toSec(), 0.02, 1e-6);
+}
+
+TEST_F(ControlLoopTest, without_a_trajectory_it_tells_the_wheels_to_stop)
+{
+  for (const ControlStep& step : measure(kBegin, kBegin + 0.1))
+  {
+    EXPECT_EQ(step.output.state, TrackState::idle);
+    EXPECT_EQ(step.output.command.mode, Mode::none);
+    EXPECT_TRUE(step.trajectory.isZero());
+  }
+}
+
+TEST_F(ControlLoopTest, a_trajectory_begins_with_the_first_step_that_is_not_before_its_stamp)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin + 0.3));
+  for (const ControlStep& step : measure(kBegin + 0.1, kBegin + 0.6))
+    EXPECT_EQ(step.output.state == TrackState::idle, step.stamp < ros::Time(kBegin + 0.3)) << step.stamp;
+  EXPECT_TRUE(refusals_.empty());
+}
+
+TEST_F(ControlLoopTest, a_stop_ends_what_is_driven_and_what_waits)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  EXPECT_EQ(measure(kBegin + 0.1, kBegin + 0.2).back().output.state, TrackState::aligning);
+  loop_.take(trajectory(kBegin + 0.5));
+  loop_.take(stop(kBegin + 0.2));
+  for (const ControlStep& step : measure(kBegin + 0.2, kBegin + 1.0))
+  {
+    EXPECT_NE(step.output.state, TrackState::aligning);
+    EXPECT_EQ(step.trajectory, ros::Time(kBegin + 0.2));
+    EXPECT_EQ(step.output.command.mode, Mode::none);
+  }
+}
+
+TEST_F(ControlLoopTest, refuses_what_it_cannot_drive_and_says_why)
+{
+  EXPECT_TRUE(says(refusal(trajectory(kBegin)), "came before odometry and wheel states"));
+  measure(kBegin, kBegin + 1.0);
+  EXPECT_TRUE(says(refusal(trajectory(kBegin - 1.0)), "was planned 1 s before the controller started"));
+  EXPECT_TRUE(says(refusal(trajectory(kBegin + 100.0)), "s after the newest odometry, expected at most 10 s"));
+  EXPECT_TRUE(says(refusal(trajectory(kBegin + 1.0, "odom")), "'odom', expected global_frame = 'map'"));
+
+  auto broken = trajectory(kBegin + 1.0);
+  broken.points[1].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal(broken), "");
+  measure(kBegin + 1.0, kBegin + 1.1);
+  ASSERT_EQ(refusals_.size(), 1u);
+  EXPECT_TRUE(says(refusals_[0], "no finite number"));
+}
+
+TEST_F(ControlLoopTest, goes_on_without_measurements_only_to_stop)
+{
+  EXPECT_FALSE(loop_.watch(ros::Time(kBegin)));
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  EXPECT_FALSE(loop_.watch(ros::Time(kBegin + 0.2)));
+  const auto step = loop_.watch(ros::Time(kBegin + 0.5));
+  ASSERT_TRUE(step);
+  EXPECT_EQ(step->output.command.mode, Mode::none);
+  EXPECT_TRUE(says(step->problem, "no odom and wheel_states of one stamp"));
+}
+
+TEST_F(ControlLoopTest, when_time_goes_back_it_begins_anew)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  const std::vector<ControlStep> steps = measure(kBegin - 50.0, kBegin - 49.9);
+  ASSERT_FALSE(steps.empty());
+  for (const ControlStep& step : steps) EXPECT_EQ(step.output.state, TrackState::idle);
+  EXPECT_TRUE(says(refusal(trajectory(kBegin - 60.0)), "before the controller started"));
+}
+
+}  // namespace
+}  // namespace fourwis
