@@ -41,6 +41,7 @@ trap 'rm -f "$written"' EXIT
   "${measure_backend[@]}" --environments
   "${measure_backend[@]}" --backend-only "${problems[@]}"
   "$(program benchmark_can)" --markdown
+  "$(program benchmark_tracking)" --markdown --runs 50
   # Slow ones: the paper's formulation, and hundreds of maps.
   "$(program benchmark_backend)" --markdown --runs "$few" --paper
   "$(program benchmark_frontend)" --markdown --runs "$few" --barn "$data/maps/barn"

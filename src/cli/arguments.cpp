@@ -17,7 +17,7 @@ namespace
 
 const char* const kFooter =
   "\nExit status: 0 a verified plan; 1 no plan (the JSON says why); 2 unusable input.\n"
-  "Example: plan --map config/env4.yaml --start 1,2,0 --goal 8,3,1.57 --svg plan.svg";
+  "Example: plan --map config/env4.yaml --start 1.1,1.1,1.57 --goal 10.65,8.75,3.14 --svg plan.svg";
 
 std::vector<std::string> split(const std::string& text)
 {
@@ -113,7 +113,8 @@ po::options_description known_options()
     ("json", value("FILE"), "write status, metrics and trajectory; - is the standard output")
     ("csv", value("FILE"), "write the trajectory's points")
     ("svg", value("FILE"), "draw map, footprints and path")
-    ("corridors", "draw the regions that the optimisation kept the disc centres in, too");
+    ("corridors", "draw the regions that the optimisation kept the disc centres in, too")
+    ("iterations", "draw what each round of the optimisation made of the path, and with --corridors its regions");
   return options;
 }
 
@@ -144,7 +145,9 @@ void check_combination(const po::variables_map& given)
   for (const char* const option : {"height-min", "height-max"})
     if (given.count(option) > 0 && given.count("octomap") == 0)
       throw po::error(std::string("--") + option + " requires --octomap");
-  if (given.count("corridors") > 0 && given.count("svg") == 0) throw po::error("--corridors requires --svg");
+  for (const char* const option : {"corridors", "iterations"})
+    if (given.count(option) > 0 && given.count("svg") == 0)
+      throw po::error(std::string("--") + option + " requires --svg");
   for (const char* const option : {"csv", "svg"})
     if (text_of(given, option) == "-")
       refuse(std::string("--") + option, "-", "a file: only --json writes to the standard output");
@@ -166,6 +169,7 @@ PlanArguments arguments_in(const po::variables_map& given)
   if (given.count("modes") > 0) arguments.modes = modes_in(text_of(given, "modes"));
   arguments.frontend_only = given.count("frontend-only") > 0;
   arguments.corridors = given.count("corridors") > 0;
+  arguments.iterations = given.count("iterations") > 0;
   if (given.count("repeat") > 0) arguments.repeat = repetitions_in(text_of(given, "repeat"));
   arguments.json = text_of(given, "json");
   arguments.csv = text_of(given, "csv");

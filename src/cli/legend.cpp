@@ -122,8 +122,9 @@ std::string shortened(const std::string& text, double width)
 
 }  // namespace
 
-void write_legend(std::ostream& out, const Page& page, const PlanResult& result, bool with_corridors)
+void write_legend(std::ostream& out, const Page& page, const PlanPicture& picture)
 {
+  const PlanResult& result = picture.result;
   const double first = page.map_height + 25.0, second = page.map_height + 53.0;
   const std::string status = to_string(result.status);
   out << "<g font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"" << kStartColour
@@ -141,7 +142,8 @@ void write_legend(std::ostream& out, const Page& page, const PlanResult& result,
   entries.arrow(kGoalColour, "goal");
   entries.box(kOccupiedColour, "occupied");
   entries.box(kUnknownColour, "unknown");
-  if (with_corridors) entries.box(kCorridorColour, "corridors");
+  if (!picture.corridors.empty()) entries.box(kCorridorColour, "corridors");
+  if (!picture.iterations.empty()) entries.line(kIterationColour, "iterations");
   out << "</g>\n";
 }
 

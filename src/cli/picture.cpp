@@ -101,6 +101,19 @@ void write_corridors(std::ostream& out, const Page& page, const PlanPicture& pic
   for (std::size_t disc = 0; disc < discs; ++disc) write_regions(out, page, picture, disc);
 }
 
+void write_iterations(std::ostream& out, const Page& page, const PlanPicture& picture)
+{
+  double darkness = 0.0;
+  for (const Trajectory& iteration : picture.iterations)
+  {
+    std::vector<Point> points;
+    for (const TrajectoryPoint& point : iteration) points.push_back({point.x, point.y});
+    darkness += 0.9 / picture.iterations.size();
+    out << "<path class=\"iteration\" d=\"" << polyline(page, points, false) << "\" fill=\"none\" stroke=\""
+        << kIterationColour << "\" stroke-opacity=\"" << darkness << "\" stroke-width=\"1\"/>\n";
+  }
+}
+
 void write_footprints(std::ostream& out, const Page& page, const Robot& robot, const ModeRun& run)
 {
   out << "<path class=\"footprints " << to_string(run.mode) << "\" d=\"";
@@ -183,8 +196,9 @@ void write_svg(std::ostream& out, const PlanPicture& picture)
   write_map(out, page, picture);
   write_corridors(out, page, picture);
   write_plan(out, page, picture, runs);
+  write_iterations(out, page, picture);
   out << "</g>\n";
-  write_legend(out, page, picture.result, !picture.corridors.empty());
+  write_legend(out, page, picture);
   out << "</svg>\n";
 }
 

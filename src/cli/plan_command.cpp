@@ -57,7 +57,8 @@ Problem read_problem(const PlanArguments& arguments)
 struct Outputs
 {
   Outputs(const PlanArguments& arguments, std::ostream& standard_output)
-    : csv(open(arguments.csv, nullptr)), svg(open(arguments.svg, nullptr)), json(open(arguments.json, &standard_output))
+    : csv(open(arguments.csv, nullptr)), svg(open(arguments.svg, nullptr)), json(open(arguments.json, &standard_output)),
+      corridors(arguments.corridors), iterations(arguments.iterations)
   {
   }
 
@@ -67,6 +68,7 @@ struct Outputs
   }
 
   std::unique_ptr<OutputFile> csv, svg, json;
+  bool corridors, iterations;  ///< whether the picture shows them
 };
 
 double median(std::vector<double> values)
@@ -100,6 +102,17 @@ Answer plan_repeatedly(const Problem& problem, int repeat, bool traced)
   return answer;
 }
 
+std::vector<Corridor> corridors(const Outputs& outputs, const PlanTrace& trace)
+{
+  if (!outputs.corridors) return {};
+  return outputs.iterations ? trace.all_corridors() : trace.corridors();
+}
+
+std::vector<Trajectory> iterations(const Outputs& outputs, const PlanTrace& trace)
+{
+  return outputs.iterations ? trace.iterations() : std::vector<Trajectory>();
+}
+
 void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
 {
   const PlanRequest& request = problem.request;
@@ -107,7 +120,7 @@ void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
   if (outputs.csv) write_csv(outputs.csv->stream(), result.trajectory);
   if (outputs.svg)
     write_svg(outputs.svg->stream(), {problem.grid, problem.options.obstacles, problem.robot, request.start,
-                                      request.goal, result, answer.trace.corridors()});
+                                      request.goal, result, corridors(outputs, answer.trace), iterations(outputs, answer.trace)});
   if (outputs.csv) outputs.csv->commit();
   if (outputs.svg) outputs.svg->commit();
 
@@ -154,7 +167,7 @@ int run(const PlanArguments& arguments, std::ostream& out, std::ostream& err)
 {
   const Problem problem = read_problem(arguments);
   const Outputs outputs(arguments, out);
-  const Answer answer = plan_repeatedly(problem, arguments.repeat, arguments.corridors);
+  const Answer answer = plan_repeatedly(problem, arguments.repeat, arguments.corridors || arguments.iterations);
   const PlanResult& result = answer.result;
   write(outputs, problem, answer);
   tell(err, summary(result));

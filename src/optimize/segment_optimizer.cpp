@@ -9,8 +9,8 @@ namespace fourwis
 namespace
 {
 
-/// What converges at all takes 10 to 50 iterations.
-constexpr int kMostIterations = 120;
+/// Most take 10 to 50 iterations, long lateral segments at full lock now and then 150.
+constexpr int kMostIterations = 300;
 /// Barrier parameter of a solve that starts from a solution of nearly the same problem.
 constexpr double kWarmBarrier = 1e-2;
 

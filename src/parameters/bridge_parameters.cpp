@@ -22,12 +22,10 @@ auto bridge(Value BridgeOptions::*member)
   return [member](BridgeOptions& options) -> Slot { return &(options.*member); };
 }
 
-/// A member of an enumeration whose values are counted from 0 in the order of the words.
 template <class Value>
 auto one_of(Value BridgeOptions::*member, const std::vector<std::string>& words)
 {
-  return [member, words](BridgeOptions& options) -> Slot
-  { return Choice{words, [&options, member](std::size_t i) { options.*member = static_cast<Value>(i); }}; };
+  return [member, words](BridgeOptions& options) -> Slot { return choice(options.*member, words); };
 }
 
 void add_protocol(Table& table)

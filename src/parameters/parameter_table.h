@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,13 @@ struct Choice
   std::vector<std::string> words;
   std::function<void(std::size_t)> choose;  ///< takes the position of the word
 };
+
+/// For an enumeration whose values are counted from 0 in the order of the words.
+template <class Value>
+Choice choice(Value& target, std::vector<std::string> words)
+{
+  return {std::move(words), [&target](std::size_t i) { target = static_cast<Value>(i); }};
+}
 
 /// The member that a parameter sets.
 using Slot = std::variant<bool*, int*, double*, std::string*, Choice>;

@@ -59,6 +59,8 @@ const ParameterTable<PlannerOptions>& planner_table()
     {"shortcut_passes", search(&SearchOptions::shortcut_passes), 0, 1000},
     {"max_expansions", search(&SearchOptions::max_expansions), 1, 1e9},
 
+    {"solver", [](PlannerOptions& o) -> Slot { return choice(o.optimize.solver, {"structured", "ipopt"}); }},
+    {"formulation", [](PlannerOptions& o) -> Slot { return choice(o.optimize.formulation, {"default", "paper"}); }},
     {"knot_spacing", optimize(&OptimizeOptions::spacing), 0.01, 2.0, "m"},
     {"steering_comfort", optimize(&OptimizeOptions::steering_comfort), 0.0, 100.0},
     {"interval_weight", optimize(&OptimizeOptions::interval_weight), 0.0, 100.0, "1/s"},

@@ -122,6 +122,8 @@ PolytopeCorridor SegmentRefiner::corridor(const DiscCover& discs, const std::vec
 SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
                                       const std::vector<char>& pinned, double tolerance) const
 {
+  if (options_.solver == NlpSolver::ipopt)
+    return ipopt_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
   return structured_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
 }
 

@@ -12,7 +12,7 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
     maps_(parameters.node.global_frame, parameters.robot, parameters.planner,
           [this](const std::string& message) { topics_.publish_refusal({}, message); }),
     planner_(Planner(parameters.robot, parameters.planner), maps_,
-             parameters.node.show_expansions || parameters.node.show_corridors),
+             parameters.node.show_expansions || parameters.node.show_corridors || parameters.node.show_iterations),
     diagnostics_(maps_, topics_),
     drive_(parameters.node.controller_patience),
     execution_(parameters.node, poses_, maps_, planner_, drive_, topics_),

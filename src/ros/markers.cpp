@@ -189,6 +189,19 @@ visualization_msgs::Marker corridor_marker(const std::vector<Corridor>& corridor
   return finished(triangles);
 }
 
+visualization_msgs::Marker iteration_marker(const std::vector<Trajectory>& iterations, const std_msgs::Header& header)
+{
+  Marker lines = marker("iterations", Marker::LINE_LIST, 0.015, header);
+  float alpha = 0.1f;
+  for (const Trajectory& iteration : iterations)
+  {
+    alpha += 0.9f / static_cast<float>(iterations.size());
+    for (std::size_t i = 1; i < iteration.size(); ++i)
+      add_line(iteration[i - 1].pose(), iteration[i].pose(), kPathHeight, colour(0.48f, 0.25f, 0.7f, alpha), lines);
+  }
+  return finished(lines);
+}
+
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header)
 {
   Marker points = marker("expansions", Marker::POINTS, 0.04, header);

@@ -86,6 +86,7 @@ GlobalPlannerOptions options_from(KeyReader& reader)
   options.start_delay = reader.number("start_delay", 0.0, 10.0, "s");
   options.show_expansions = reader.flag("show_expansions");
   options.show_corridors = reader.flag("show_corridors");
+  options.show_iterations = reader.flag("show_iterations");
   return options;
 }
 

@@ -24,7 +24,8 @@ PlannerTopics::PlannerTopics(const GlobalPlannerOptions& options, const Robot& r
   : global_frame_(options.global_frame),
     robot_(robot),
     show_expansions_(options.show_expansions),
-    show_corridors_(options.show_corridors)
+    show_corridors_(options.show_corridors),
+    show_iterations_(options.show_iterations)
 {
   ros::NodeHandle node, private_node("~");
   trajectory_ = node.advertise<fourwis_navigation::ModeTrajectory>("trajectory", 10, true);
@@ -111,13 +112,15 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer, const ros::Time& begi
   const std::lock_guard<std::mutex> lock(mutex_);
   markers_ = plan_markers(robot_, answer.request, answer.result.trajectory, now);
   if (show_expansions_) markers_.markers.push_back(expansion_marker(answer.trace, now));
+  if (show_iterations_) markers_.markers.push_back(iteration_marker(answer.trace.iterations(), now));
   publish_trajectory(answer.result.trajectory, begin);
   plan_.publish(to_path_message(answer.result.trajectory, now));
   frontend_plan_.publish(to_path_message(robot_, answer.result.path, now));
   marker_.publish(markers_);
   if (!show_corridors_) return;
   visualization_msgs::MarkerArray corridors;
-  corridors.markers = {corridor_marker(answer.trace.corridors(), answer.request.start, now)};
+  corridors.markers = {
+      corridor_marker(show_iterations_ ? answer.trace.all_corridors() : answer.trace.corridors(), answer.request.start, now)};
   corridors_.publish(corridors);
 }
 

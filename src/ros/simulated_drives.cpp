@@ -62,7 +62,8 @@ void SimulatedDrives::on_odometry(const nav_msgs::Odometry& odometry)
   try
   {
     if (odometry.header.frame_id != frames_.odom_frame)
-      refuse("odom: header.frame_id is '", odometry.header.frame_id, "', expected odom_frame = '", frames_.odom_frame, "'");
+      refuse("odom: header.frame_id is '", odometry.header.frame_id, "', expected odom_frame = '", frames_.odom_frame,
+             "'");
     publish();  // so that there is a truth as new as the odometry
     const Pose truth = truth_at(odometry.header.stamp);
     localization_.correct(odometry.header.stamp, truth, to_pose(odometry.pose.pose, "odom"));

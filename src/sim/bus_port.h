@@ -7,7 +7,8 @@
 namespace fourwis::sim
 {
 
-/// Where the controllers of several nodes share one end of a bus: what does not fit at once waits, the smallest id goes first.
+/// Where the controllers of several nodes share one end of a bus: what does not fit at once waits, the smallest id goes
+/// first.
 class BusPort
 {
 public:

@@ -26,7 +26,8 @@ public:
   void actuate(Plant& plant, double dt, bool stuck, bool dead);
 
 private:
-  DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers, const DriveOptions& drive);
+  DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers,
+            const DriveOptions& drive);
 
   void steer(Plant& plant, const AxisDemand& demand, double dt, bool powered);
   void roll(Plant& plant, const AxisDemand& demand, bool stuck, bool powered);

@@ -21,7 +21,10 @@ Object setting(std::uint8_t size, std::int64_t value, std::int64_t low, std::int
   return {size, ObjectUse::setting, value, low, high};
 }
 Object status(std::uint8_t size, std::int64_t low = 0) { return {size, ObjectUse::status, 0, low, 0}; }
-Object command(std::uint8_t size, std::int64_t low, std::int64_t high) { return {size, ObjectUse::command, 0, low, high}; }
+Object command(std::uint8_t size, std::int64_t low, std::int64_t high)
+{
+  return {size, ObjectUse::command, 0, low, high};
+}
 
 std::int64_t whole(double value) { return std::llround(std::clamp(value, 1.0, static_cast<double>(kMost32))); }
 

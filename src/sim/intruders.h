@@ -6,8 +6,8 @@
 namespace fourwis::sim
 {
 
-/// Others on the bus who send what they should not: a foreign master, a second node of the same id, somebody who floods it,
-/// controllers that complain. Times in s.
+/// Others on the bus who send what they should not: a foreign master, a second node of the same id, somebody who floods
+/// it, controllers that complain. Times in s.
 class Intruders
 {
 public:

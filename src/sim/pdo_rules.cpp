@@ -52,7 +52,8 @@ AbortCode entry_refusal(const ObjectDictionary& dictionary, std::uint32_t entry,
   return object->use == direction && (entry & 0xFF) == 8u * object->size ? AbortCode::none : AbortCode::not_mappable;
 }
 
-AbortCode count_refusal(const ObjectDictionary& dictionary, std::uint16_t mapping, std::int64_t count, ObjectUse direction)
+AbortCode count_refusal(const ObjectDictionary& dictionary, std::uint16_t mapping, std::int64_t count,
+                        ObjectUse direction)
 {
   std::uint32_t bits = 0;
   for (std::uint8_t k = 1; k <= count; ++k)

@@ -10,8 +10,8 @@
 namespace fourwis::sim
 {
 
-/// The CiA 402 half of a drive: power states, modes of operation, what the motor is asked for. Reads its settings in the
-/// dictionary and writes what it measures there.
+/// The CiA 402 half of a drive: power states, modes of operation, what the motor is asked for. Reads its settings in
+/// the dictionary and writes what it measures there.
 class PowerStage
 {
 public:

@@ -9,8 +9,8 @@
 namespace fourwis::sim
 {
 
-/// Does what an expedited SDO request to `node` asks for, and gives the reply (CiA 301, 7.2.4). Nothing for a frame that
-/// is not eight bytes long and for the client's own abort. Segmented transfers are refused.
+/// Does what an expedited SDO request to `node` asks for, and gives the reply (CiA 301, 7.2.4). Nothing for a frame
+/// that is not eight bytes long and for the client's own abort. Segmented transfers are refused.
 std::optional<can::Frame> answer_sdo(ObjectDictionary& dictionary, std::uint8_t node, const can::Frame& request);
 
 /// The reply that refuses `request`.

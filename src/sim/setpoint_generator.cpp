@@ -66,8 +66,8 @@ void SetpointGenerator::follow(double dt)
     case kProfileVelocity:
     {
       const bool faster = std::abs(target_velocity) > std::abs(setpoint_.velocity);
-      const std::uint16_t rate = faster ? object::kProfileAcceleration : object::kProfileDeceleration;
-      return follow_velocity(approach(setpoint_.velocity, target_velocity, static_cast<double>(dictionary_.get(rate)) * dt));
+      const auto rate = dictionary_.get(faster ? object::kProfileAcceleration : object::kProfileDeceleration);
+      return follow_velocity(approach(setpoint_.velocity, target_velocity, static_cast<double>(rate) * dt));
     }
     default: brake(static_cast<double>(dictionary_.get(object::kQuickStopDeceleration)), dt);
   }

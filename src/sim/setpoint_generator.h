@@ -17,8 +17,8 @@ public:
   {
   }
 
-  /// Starts from where the motor is: power comes on, the mode changes or the counts are shifted. In the cyclic modes the target
-  /// that stands in the objects counts from here on, whenever it was written.
+  /// Starts from where the motor is: power comes on, the mode changes or the counts are shifted. In the cyclic modes
+  /// the target that stands in the objects counts from here on, whenever it was written.
   void start(const AxisMotion& measured);
 
   /// A new controlword, for profile position.

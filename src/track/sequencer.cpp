@@ -1,5 +1,6 @@
 #include "sequencer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fourwis_navigation/track/step_number.h"
@@ -209,7 +210,9 @@ void Sequencer::report(TrackOutput& output)
   if (state_ != TrackState::driving && !(state_ == TrackState::stopping && rolling_)) return;
   output.speed = follower_.asked().v;
   output.phi = follower_.asked().phi;
-  output.t = corrector_.is_active() ? mission_[index_].end_time() : follower_.clock();
+  const Reference& driven = mission_[index_];
+  output.t = corrector_.is_active() ? driven.end_time()
+                                    : std::clamp(follower_.clock(), driven.start_time(), driven.end_time());
   output.lateral_error = follower_.deviation().lateral;
   output.longitudinal_error = follower_.deviation().longitudinal;
   output.heading_error = follower_.deviation().heading;

@@ -58,6 +58,7 @@ TEST(Arguments, DefaultsAreAllModesOnePlanAndNoOutput)
   EXPECT_TRUE(arguments.modes.ackermann && arguments.modes.lateral && arguments.modes.parallel);
   EXPECT_FALSE(arguments.frontend_only);
   EXPECT_FALSE(arguments.corridors);
+  EXPECT_FALSE(arguments.iterations);
   EXPECT_EQ(arguments.repeat, 1);
   for (const std::string& file :
        {arguments.octomap, arguments.robot, arguments.planner, arguments.json, arguments.csv, arguments.svg})
@@ -70,7 +71,7 @@ TEST(Arguments, EveryOptionIsRead)
       parse({"--octomap", "building.bt", "--height-min", "-0.25", "--height-max", "2e0", "--start=-1,-2.5,1e-3",
              "--goal", "-4,5,-6", "--robot", "r.yaml", "--planner", "p.yaml", "--modes", "lateral,parallel",
              "--frontend-only", "--repeat", "20", "--json", "-", "--csv", "c.csv", "--svg", "s.svg",
-             "--corridors"});
+             "--corridors", "--iterations"});
   EXPECT_EQ(arguments.map, "");
   EXPECT_EQ(arguments.octomap, "building.bt");
   EXPECT_EQ(arguments.band.min, -0.25);
@@ -84,6 +85,7 @@ TEST(Arguments, EveryOptionIsRead)
   EXPECT_TRUE(arguments.modes.lateral && arguments.modes.parallel);
   EXPECT_TRUE(arguments.frontend_only);
   EXPECT_TRUE(arguments.corridors);
+  EXPECT_TRUE(arguments.iterations);
   EXPECT_EQ(arguments.repeat, 20);
   EXPECT_EQ(arguments.json, "-");
   EXPECT_EQ(arguments.csv, "c.csv");
@@ -144,6 +146,7 @@ TEST(Arguments, HeightsBelongToAnOctomapAndAreInOrder)
   };
   expect_refusal(valid({"--height-min", "0.2"}), {"--height-min", "--octomap"});
   expect_refusal(valid({"--corridors"}), {"--corridors", "--svg"});
+  expect_refusal(valid({"--iterations"}), {"--iterations", "--svg"});
   expect_refusal(valid({"--height-max", "0.2"}), {"--height-max", "--octomap"});
   expect_refusal(with({"--height-min", "nan"}), {"--height-min", "'nan'"});
   expect_refusal(with({"--height-max", "high"}), {"--height-max", "'high'"});
@@ -193,7 +196,7 @@ TEST(Arguments, HelpNamesEveryOptionAndNeedsNothingElse)
     const std::string help = parse({ask}).help;
     for (const std::string option :
          {"--map", "--octomap", "--height-min", "--height-max", "--start", "--goal", "--robot", "--planner", "--modes",
-          "--frontend-only", "--repeat", "--json", "--csv", "--svg", "--corridors"})
+          "--frontend-only", "--repeat", "--json", "--csv", "--svg", "--corridors", "--iterations"})
       EXPECT_NE(help.find(option), std::string::npos) << option;
   }
 }

@@ -307,10 +307,24 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
   EXPECT_NEAR(std::min(y, top), m[3] * 12.5 + m[5], 0.05);
 }
 
+TEST(Picture, IterationsAreDrawnTheLaterTheDarker)
+{
+  const OccupancyGrid grid{40, 20, 0.1, {}, std::vector<std::int8_t>(800, 0)};
+  const Robot robot;
+  const PlanResult result = plan_in_all_modes(robot, {1.0, 1.0, 0.0});
+  std::ostringstream svg;
+  write_svg(svg, {grid, ObstacleRule(), robot, {}, {}, result, {}, {result.trajectory, result.trajectory}});
+  EXPECT_TRUE(is_well_formed(svg.str()));
+  EXPECT_EQ(count(svg.str(), "class=\"iteration\""), 2u);
+  EXPECT_LT(svg.str().find("stroke-opacity=\"0.45\""), svg.str().find("stroke-opacity=\"0.9\""));
+  EXPECT_EQ(count(svg.str(), ">iterations<"), 1u);
+}
+
 TEST(Picture, WithoutCorridorsDoesNotMentionThem)
 {
   const OccupancyGrid grid{40, 20, 0.1, {}, std::vector<std::int8_t>(800, 0)};
   EXPECT_EQ(count(drawn(grid, plan_in_all_modes(Robot(), {}), {}, {}), "corridor"), 0u);
+  EXPECT_EQ(count(drawn(grid, plan_in_all_modes(Robot(), {}), {}, {}), "iteration"), 0u);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ inline ParameterMap with(ParameterMap parameters, const std::string& key, const 
 /// Any word, but of a key that knows few words another one of these.
 inline std::string another_word(const std::string& word)
 {
-  static const std::map<std::string, std::string> known = {{"cia402", "ranger"}, {"cyclic", "profile"}};
+  static const std::map<std::string, std::string> known = {
+      {"cia402", "ranger"}, {"cyclic", "profile"}, {"structured", "ipopt"}, {"default", "paper"}};
   const auto found = known.find(word);
   return found == known.end() ? word + "x" : found->second;
 }

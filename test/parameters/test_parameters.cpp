@@ -55,6 +55,8 @@ Subject<PlannerOptions> subject_of()
            {"heading_resolution", [](const O& o) { return o.search.heading_resolution; }},
            {"xy_goal_tolerance", [](const O& o) { return o.search.xy_goal_tolerance; }},
            {"yaw_goal_tolerance", [](const O& o) { return o.search.yaw_goal_tolerance; }},
+           {"solver", [](const O& o) { return double(o.optimize.solver); }},
+           {"formulation", [](const O& o) { return double(o.optimize.formulation); }},
            {"knot_spacing", [](const O& o) { return o.optimize.spacing; }},
            {"steering_comfort", [](const O& o) { return o.optimize.steering_comfort; }},
            {"interval_weight", [](const O& o) { return o.optimize.interval_weight; }},

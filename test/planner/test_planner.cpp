@@ -7,6 +7,7 @@
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
+#include "fourwis_navigation/planner/back_end.h"
 
 namespace fourwis
 {
@@ -240,6 +241,102 @@ TEST_F(PlannerTest, TimesOutWhenItsPatienceIsOver)
 TEST_F(PlannerTest, TimesOutAtTheCallersDeadline)
 {
   expect_refused(plan_in_hall(here, there, {}, Interrupt(nullptr, Interrupt::Clock::now())), PlanStatus::timeout);
+}
+
+TEST_F(PlannerTest, AnswersWithTheBestItHasWhenItsPatienceIsOver)
+{
+  Random random(kSeed);
+  const World world(clutter(random, 12.0, 0.05, 14), robot, options);
+  const CollisionChecker checker(world.obstacles, robot);
+  PlanRequest request;
+  PlanResult full;
+  while (full.status != PlanStatus::succeeded)
+  {
+    request = {free_pose(random, checker), free_pose(random, checker), {}};
+    full = plan(world, request);
+  }
+  // Wherever the deadline falls: in the search, in some round of some candidate, or after all of it.
+  for (double patience = 1e-4; patience < 1.0; patience *= 1.1)
+  {
+    options.planner_patience = patience;
+    const PlanResult result = plan(world, request);
+    if (result.status == PlanStatus::timeout)
+    {
+      EXPECT_TRUE(result.trajectory.empty());
+      continue;
+    }
+    EXPECT_EQ(result.status, PlanStatus::succeeded) << result.message;
+    EXPECT_TRUE(world.referee.judge(request.start, request.goal, result.trajectory).accepted());
+  }
+}
+
+TEST_F(PlannerTest, AnswersWithAllItsStopsWhenTheTimeIsOverAfterTheSearch)
+{
+  const World world(free_area(8.0, 6.0, 0.1), robot, options);
+  const Path path = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}}).path;
+  const CollisionChecker checker(world.obstacles, robot);
+  const Refinement late = refine(checker, world.rectangles, robot, options.optimize, 1.0, path,
+                                 Interrupt(nullptr, Interrupt::Clock::now()));
+  EXPECT_TRUE(world.referee.judge({1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, late.trajectory).accepted());
+}
+
+TEST_F(PlannerTest, PlansOnIpoptWhatItPlansOnTheStructuredSolver)
+{
+  const PlanRequest request = {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}};
+  const World world(free_area(8.0, 6.0, 0.1), robot, options);
+  const PlanResult structured = plan(world, request);
+  options.optimize.solver = NlpSolver::ipopt;
+  const PlanResult ipopt = plan(world, request);
+  ASSERT_EQ(ipopt.status, PlanStatus::succeeded) << ipopt.message;
+  EXPECT_NEAR(ipopt.metrics.arrival_time, structured.metrics.arrival_time, 1e-3);
+}
+
+TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
+{
+  options.optimize.solver = NlpSolver::ipopt;
+  options.optimize.formulation = Formulation::paper;
+  options.search.steering_penalty = 0.0;
+  const World world(free_area(8.0, 6.0, 0.1), robot, options);
+  const PlanResult bent = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.5}, ModeSet{true, false, false}});
+  EXPECT_EQ(bent.status, PlanStatus::verification_failed) << bent.message;
+  EXPECT_NE(bent.message.find("rolled-out"), std::string::npos) << bent.message;
+  EXPECT_TRUE(bent.trajectory.empty());
+  EXPECT_GT(bent.metrics.arrival_time, 5.0);
+  EXPECT_FALSE(bent.metrics.safe);
+}
+
+TEST_F(PlannerTest, RefusesThePapersFormulationWithoutIpopt)
+{
+  options.optimize.formulation = Formulation::paper;
+  try
+  {
+    Planner(robot, options);
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_STREQ(error.what(),
+                 "parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': the structured "
+                 "solver has no penalties");
+  }
+}
+
+TEST_F(PlannerTest, ShowsItsRoundsOnRequest)
+{
+  const World world(free_area(8.0, 6.0, 0.1), robot, options);
+  PlanTrace trace;
+  const PlanResult result = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}}, {}, &trace);
+  ASSERT_EQ(result.status, PlanStatus::succeeded);
+  ASSERT_EQ(static_cast<int>(trace.rounds.size()), result.metrics.switches + 1);
+  std::size_t most = 0, all = 0;
+  for (const auto& segment : trace.rounds)
+  {
+    most = std::max(most, segment.size());
+    all += segment.size();
+  }
+  EXPECT_EQ(static_cast<int>(most), result.metrics.outer_iterations);
+  EXPECT_EQ(trace.all_corridors().size(), all);
+  EXPECT_EQ(trace.corridors().size() + trace.iterations().size(), all);
 }
 
 TEST_F(PlannerTest, StopsWhenCancelled)

@@ -81,6 +81,18 @@ TEST(DriveParameters, groups_reach_their_options)
   EXPECT_EQ(base_simulator_parameters_from(parameters).simulator.seed, 77);
 }
 
+TEST(DriveParameters, drives_on_a_bus_are_described_and_only_they)
+{
+  ParameterMap parameters = simulator();
+  parameters["bus"] = std::string("unix:fourwis");
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { base_simulator_parameters_from(parameters); }), "in 'can_bridge'"));
+  for (const auto& [key, value] : read_parameter_file(kConfig + "can_bridge.yaml")) parameters["can_bridge/" + key] = value;
+  parameters["can_bridge/wheel_radius"] = 0.2;
+  EXPECT_EQ(base_simulator_parameters_from(parameters).bridge.wheel_radius, 0.2);
+  parameters["bus"] = std::string("direct");
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { base_simulator_parameters_from(parameters); }), "unknown parameter"));
+}
+
 TEST(DriveParameters, every_key_is_missed_when_it_is_not_there)
 {
   expect_every_key_is_missed(controller(), mpc_controller_parameters_from);

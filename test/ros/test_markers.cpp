@@ -164,6 +164,22 @@ TEST(Markers, corridors_are_translucent_and_cover_their_regions)
   }
 }
 
+TEST(Markers, iterations_are_lines_the_later_the_more_opaque)
+{
+  const auto line = [](double y) {
+    Trajectory points(3);
+    for (int k = 0; k < 3; ++k) points[k].x = k, points[k].y = y;
+    return points;
+  };
+  const Marker marker = iteration_marker({line(0.0), line(1.0)}, {});
+  ASSERT_EQ(marker.points.size(), 8u);
+  ASSERT_EQ(marker.colors.size(), 8u);
+  EXPECT_EQ(marker.points[0].y, 0.0);
+  EXPECT_EQ(marker.points[7].y, 1.0);
+  EXPECT_LT(marker.colors[0].a, marker.colors[7].a);
+  EXPECT_EQ(iteration_marker({}, {}).action, Marker::DELETE);
+}
+
 TEST(Markers, a_plan_without_corridors_removes_those_drawn_before)
 {
   EXPECT_EQ(corridor_marker({}, {}, {}).action, Marker::DELETE);

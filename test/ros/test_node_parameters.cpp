@@ -48,6 +48,7 @@ TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
   EXPECT_EQ(options.start_delay, defaults.start_delay);
   EXPECT_EQ(options.show_expansions, defaults.show_expansions);
   EXPECT_EQ(options.show_corridors, defaults.show_corridors);
+  EXPECT_EQ(options.show_iterations, defaults.show_iterations);
 }
 
 TEST(NodeParameters, each_key_sets_what_it_names)
@@ -64,6 +65,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   parameters["start_delay"] = 0.5;
   parameters["show_expansions"] = true;
   parameters["show_corridors"] = true;
+  parameters["show_iterations"] = true;
   parameters["robot/length"] = 1.25;
   parameters["planner/planner_patience"] = 7.0;
   const GlobalPlannerParameters read = global_planner_parameters_from(parameters);
@@ -78,6 +80,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.node.start_delay, 0.5);
   EXPECT_TRUE(read.node.show_expansions);
   EXPECT_TRUE(read.node.show_corridors);
+  EXPECT_TRUE(read.node.show_iterations);
   EXPECT_EQ(read.robot.length, 1.25);
   EXPECT_EQ(read.planner.planner_patience, 7.0);
 }

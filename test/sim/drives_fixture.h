@@ -12,7 +12,8 @@ namespace fourwis::sim
 
 /// Counts of a turn of a steering column and of a wheel of 0.1 m radius, as the default options have it.
 inline constexpr double kSteeringTurn = 65536.0 * 60.0, kDrivingTurn = 65536.0 * 20.0, kWheelRadius = 0.1;
-inline constexpr double kPerRadian = kSteeringTurn / (2.0 * M_PI), kPerMetre = kDrivingTurn / (2.0 * M_PI * kWheelRadius);
+inline constexpr double kPerRadian = kSteeringTurn / (2.0 * M_PI);
+inline constexpr double kPerMetre = kDrivingTurn / (2.0 * M_PI * kWheelRadius);
 
 /// A base of eight drives and a master at the two ends of a bus, somebody who listens, and one clock for all.
 class DrivesFixture : public ::testing::Test
@@ -44,7 +45,8 @@ protected:
         heard.clear();
         master.end().send(request);
         pass(0.003);
-        const auto answer = std::find_if(heard.begin(), heard.end(), [](const can::Frame& f) { return f.id >> 7 == 0xB; });
+        const auto answer =
+          std::find_if(heard.begin(), heard.end(), [](const can::Frame& frame) { return frame.id >> 7 == 0xB; });
         ASSERT_NE(answer, heard.end()) << can::text(request);
         ASSERT_EQ(answer->data[0], 0x60) << can::text(request) << " -> " << can::text(*answer);
       }

@@ -22,7 +22,8 @@ public:
   {
     const int mode = node <= 4 ? 8 : 9;
     const int target_low = node <= 4 ? 0x7A : 0xFF;
-    const auto sdo = [&](std::initializer_list<int> bytes) { return raw(0x600 + static_cast<std::uint32_t>(node), bytes); };
+    const std::uint32_t id = 0x600 + static_cast<std::uint32_t>(node);
+    const auto sdo = [id](std::initializer_list<int> bytes) { return raw(id, bytes); };
     return {
       sdo({0x23, 0x00, 0x14, 1, node, 0x02, 0, 0x80}), sdo({0x2F, 0x00, 0x16, 0, 0, 0, 0, 0}),
       sdo({0x23, 0x00, 0x16, 1, 0x10, 0x00, 0x40, 0x60}), sdo({0x23, 0x00, 0x16, 2, 0x08, 0x00, 0x60, 0x60}),

@@ -65,6 +65,8 @@ TEST_F(BridgeLink, AQueueThatDoesNotMoveIsAFaultAndNothingOldIsSentWhenItMovesAg
   end->set_full(false);
   pass(1.0);
   EXPECT_LE(last_motion(), begin);
+  EXPECT_LT(wait_for([this] { return bridge.clear_faults(now()) == nullptr; }), 4.0) << cause();
+  drive();
 }
 
 TEST_F(BridgeLink, NotesOfTheControllerStopNothing)

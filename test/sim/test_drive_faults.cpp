@@ -100,8 +100,8 @@ TEST_F(DriveFaults, SdoAbort)
     pass(0.002);
     master.end().send(raw(0x601, {0x40, 0x41, 0x60, 0, 0, 0, 0, 0}));
     pass(0.002);
-    EXPECT_EQ(recorder.of(0x581), Frames{raw(0x581, {0x80, 0x41, 0x60, 0, static_cast<int>(code & 0xFF), 0,
-                                                     static_cast<int>(code >> 16 & 0xFF), static_cast<int>(code >> 24)})});
+    const auto byte = [code](int k) { return static_cast<int>(code >> 8 * k & 0xFF); };
+    EXPECT_EQ(recorder.of(0x581), Frames{raw(0x581, {0x80, 0x41, 0x60, 0, byte(0), byte(1), byte(2), byte(3)})});
   }
 }
 

@@ -12,7 +12,8 @@ constexpr unsigned kSeed = 402;
 
 can::Frame random_frame(Random& random)
 {
-  static const std::uint32_t ids[] = {0x000, 0x080, 0x085, 0x185, 0x205, 0x305, 0x405, 0x505, 0x585, 0x605, 0x705, 0x77F};
+  static const std::uint32_t ids[] = {0x000, 0x080, 0x085, 0x185, 0x205, 0x305,
+                                      0x405, 0x505, 0x585, 0x605, 0x705, 0x77F};
   can::Frame frame;
   frame.id = random.chance(0.8) ? ids[random.whole(0, 11)] : static_cast<std::uint32_t>(random.whole(0, 0x7FF));
   frame.size = static_cast<std::uint8_t>(random.whole(0, 8));

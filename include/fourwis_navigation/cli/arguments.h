@@ -23,6 +23,7 @@ struct PlanArguments
   ModeSet modes;
   bool frontend_only = false;  ///< stop after the front end's own trajectory
   bool corridors = false;      ///< draw the corridors in the SVG
+  bool iterations = false;     ///< draw what each round of the optimisation made of the path in the SVG
   int repeat = 1;              ///< plan so many times and report the medians of the times
   std::string json;            ///< "-" is the standard output
   std::string csv;

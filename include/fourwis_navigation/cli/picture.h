@@ -9,6 +9,7 @@
 #include "fourwis_navigation/model/plan.h"
 #include "fourwis_navigation/model/pose.h"
 #include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
 
 namespace fourwis
 {
@@ -24,12 +25,12 @@ struct PlanPicture
   const Robot& robot;
   Pose start, goal;  ///< map frame
   const PlanResult& result;
-  std::vector<Corridor> corridors = {};  ///< drawn lightly below the plan
+  std::vector<Corridor> corridors = {};     ///< drawn lightly below the plan
+  std::vector<Trajectory> iterations = {};  ///< what the plan was made of: thin lines, the later the darker
 };
 
-/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches, corridors where there are any,
-/// and a legend.
-/// Where there is no trajectory it shows the question and says why.
+/// Writes an SVG: map, footprints and path of the centre coloured by mode, start, goal, mode switches, corridors and iterations
+/// where there are any, and a legend. Where there is no trajectory it shows the question and says why.
 void write_svg(std::ostream& out, const PlanPicture& picture);
 
 }  // namespace fourwis

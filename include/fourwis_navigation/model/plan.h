@@ -52,7 +52,8 @@ struct PlanRequest
   bool frontend_only = false;  ///< no optimisation: the front end's path, driven with stops wherever the steering changes
 };
 
-/// The paper's section V-A.2, and where the time went. Metrics of the trajectory are zero where there is none.
+/// The paper's section V-A.2, and where the time went. Metrics of the trajectory are those of the one
+/// refused where the status is verification_failed, and zero where there was none.
 struct PlanMetrics
 {
   bool safe = false;            ///< SF, what the referee says
@@ -79,7 +80,7 @@ struct PlanResult
 {
   PlanStatus status = PlanStatus::invalid_input;
   std::string message;  ///< one sentence with numbers, for a person
-  Trajectory trajectory;
+  Trajectory trajectory;  ///< what the referee accepted; empty unless succeeded
   Path path;  ///< the front end's
   PlanMetrics metrics;
 };

@@ -3,9 +3,25 @@
 namespace fourwis
 {
 
+/// What solves a segment's problem.
+enum class NlpSolver
+{
+  structured,  ///< ocp: milliseconds
+  ipopt        ///< the same problem, some ten times slower
+};
+
+/// Which problem a segment's is.
+enum class Formulation
+{
+  standard,  ///< SegmentOptimizer's
+  paper      ///< PaperOptimizer's, on Ipopt only, with the paper's own numbers in place of those below
+};
+
 /// The back end's parameters; see doc/notation.md for the paper's symbols.
 struct OptimizeOptions
 {
+  NlpSolver solver = NlpSolver::structured;
+  Formulation formulation = Formulation::standard;
   double spacing = 0.2;             ///< D, distance between knots of the reference [m]
   double steering_comfort = 0.02;   ///< alpha, weight of (v omega)^2 over time
   double interval_weight = 0.2;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]

@@ -32,7 +32,7 @@ ParameterMap read_parameter_file(const std::string& path);
 /// The keys are the names of Robot's members, SI units and radians.
 Robot robot_from(const ParameterMap& parameters);
 
-/// Likewise for `config/planner.yaml` and PlannerOptions.
+/// Likewise for `config/planner.yaml` and PlannerOptions. Whether the options fit together, Planner says.
 PlannerOptions planner_options_from(const ParameterMap& parameters);
 
 /// Likewise for `config/mpc.yaml` and TrackOptions.

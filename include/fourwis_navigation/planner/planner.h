@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "fourwis_navigation/corridor/obstacle_rectangles.h"
-#include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/corridor.h"
 #include "fourwis_navigation/model/interrupt.h"
@@ -28,13 +27,18 @@ struct PlannerOptions
   double planner_patience = 5.0;  ///< wall-clock deadline of one plan [s]; then PlanStatus::timeout
 };
 
+/// Throws std::invalid_argument, with a sentence, where options contradict each other.
+void check(const PlannerOptions& options);
+
 /// What the stages leave behind for somebody who wants to look at them; filled only when asked for.
 struct PlanTrace
 {
   std::vector<Pose> expanded;         ///< nodes of the first search in the order of expansion
   std::vector<std::vector<RefinementRound>> rounds;  ///< of each segment of the trajectory, one after the other
 
-  std::vector<Corridor> corridors() const;  ///< of the segments, the last round's
+  std::vector<Corridor> corridors() const;      ///< of the segments, the last round's
+  std::vector<Corridor> all_corridors() const;  ///< those of the rounds before as well
+  std::vector<Trajectory> iterations() const;   ///< what came out of the rounds before the last
 };
 
 /// A grid and a robot with everything that can be computed from them once. Immutable; share it between plans and threads.
@@ -59,7 +63,7 @@ private:
 class Planner
 {
 public:
-  Planner(const Robot& robot, const PlannerOptions& options);
+  Planner(const Robot& robot, const PlannerOptions& options);  ///< throws as check() does
 
   /// Never throws on a request, whatever is in it.
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
@@ -69,9 +73,6 @@ public:
   const PlannerOptions& options() const { return options_; }
 
 private:
-  PlanResult find_and_refine(const World& world, const CollisionChecker& checker, const PlanRequest& request,
-                             const Interrupt& interrupt, PlanTrace* trace) const;
-
   Robot robot_;
   PlannerOptions options_;
 };

@@ -45,7 +45,7 @@ inline const std::string kDirect = "direct";
 /// The keys of `config/base_simulator.yaml`, in the private namespace of base_simulator_node.
 struct BaseSimulatorNodeOptions
 {
-  std::string bus = kDirect;  ///< `direct`: takes wheel_commands itself; otherwise drives on this bus, see can::open_bus()
+  std::string bus = kDirect;  ///< `direct`: takes wheel_commands itself; else drives on this bus, see can::open_bus()
   std::string global_frame = "map";
   BaseFrames frames;
   double publish_frequency = 100.0;    ///< cycles of simulated time each second [Hz]
@@ -65,8 +65,8 @@ struct BaseSimulatorParameters
   can::BridgeOptions bridge;  ///< what drives there are on the bus
 };
 
-/// The whole private namespace of the simulator's node: its own keys, `robot/...`, `simulator/...` and, where there is a bus,
-/// `can_bridge/...`. Throws ConfigError.
+/// The whole private namespace of the simulator's node: its own keys, `robot/...`, `simulator/...` and, where there is
+/// a bus, `can_bridge/...`. Throws ConfigError.
 BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& parameters);
 
 }  // namespace fourwis

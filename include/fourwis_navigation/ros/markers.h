@@ -27,6 +27,9 @@ visualization_msgs::Marker failure_marker(const Pose& goal, PlanStatus status, c
 visualization_msgs::Marker corridor_marker(const std::vector<Corridor>& corridors, const Pose& around,
                                            const std_msgs::Header& header);
 
+/// What the rounds of the optimisation made of the path before the last one, as thin lines, the later the more opaque.
+visualization_msgs::Marker iteration_marker(const std::vector<Trajectory>& iterations, const std_msgs::Header& header);
+
 /// The nodes that the search expanded, as points.
 visualization_msgs::Marker expansion_marker(const PlanTrace& trace, const std_msgs::Header& header);
 

@@ -33,6 +33,7 @@ struct GlobalPlannerOptions
   double start_delay = 0.2;                    ///< from the time a plan starts from to the time it begins [s]
   bool show_expansions = false;                ///< draw the nodes that the search expanded
   bool show_corridors = false;                 ///< draw the regions that the optimisation kept the disc centres in
+  bool show_iterations = false;                ///< draw what each round of the optimisation made of the path
 };
 
 /// Everything that global_planner_node is configured with.

@@ -51,7 +51,7 @@ private:
 
   const std::string global_frame_;
   const Robot robot_;
-  const bool show_expansions_, show_corridors_;
+  const bool show_expansions_, show_corridors_, show_iterations_;
   mutable std::mutex mutex_;
   fourwis_navigation::PlannerStatus last_status_;
   visualization_msgs::MarkerArray markers_;  ///< of the last plan that succeeded

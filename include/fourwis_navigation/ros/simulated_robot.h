@@ -10,8 +10,8 @@
 namespace fourwis
 {
 
-/// The simulator's node without a bus: a base, somebody who knows where it really is, and the time in which this happens. Spin it with one
-/// thread.
+/// The simulator's node without a bus: a base, somebody who knows where it really is, and the time in which this
+/// happens. Spin it with one thread.
 class SimulatedRobot
 {
 public:

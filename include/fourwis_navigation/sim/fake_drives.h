@@ -16,14 +16,15 @@
 namespace fourwis::sim
 {
 
-/// A base without mass whose wheels are turned by eight CiA 402 drives at one end of a CAN bus: frames in, motion, frames
-/// out. The same mechanics as BaseSimulator's, without its electronics: what the base is to do by itself is the master's
-/// business. Repeatable: the same frames at the same steps give the same frames and the same motion, bit for bit.
+/// A base without mass whose wheels are turned by eight CiA 402 drives at one end of a CAN bus: frames in, motion,
+/// frames out. The same mechanics as BaseSimulator's, without its electronics: what the base is to do by itself is the
+/// master's business. Repeatable: the same frames at the same steps give the same frames and the same motion, bit for
+/// bit.
 class FakeDrives
 {
 public:
-  /// Of `bridge` what the drives are: nodes, counts, wheel radius, identity, bit rate. The bus must outlive this. Throws
-  /// std::invalid_argument naming the option, its value and the range.
+  /// Of `bridge` what the drives are: nodes, counts, wheel radius, identity, bit rate. The bus must outlive this.
+  /// Throws std::invalid_argument naming the option, its value and the range.
   FakeDrives(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator);
   ~FakeDrives();
 
