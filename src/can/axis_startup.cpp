@@ -70,7 +70,7 @@ void AxisStartup::supervise(double now, Outbox& outbox)
 
 void AxisStartup::go_on(double now, Outbox& outbox)
 {
-  if (client_.state() == SdoClient::State::failed) return fail(client_.fault(), client_.detail(), now);
+  if (client_.state() == SdoClient::State::failed) return fail(client_.fault(), client_.detail(), now, client_.object());
   if (client_.state() != SdoClient::State::done) return;
   if (stage_ == BaseStage::identifying)
   {
@@ -91,11 +91,11 @@ void AxisStartup::send(NmtCommand command, double now, Outbox& outbox)
   outbox.add(encode_nmt(command, node_));
 }
 
-void AxisStartup::fail(Fault fault, std::uint32_t detail, double now)
+void AxisStartup::fail(Fault fault, std::uint32_t detail, double now, std::uint32_t object)
 {
   failed_ = true;
   client_.stop();
-  report_(fault, detail, now);
+  report_(fault, detail, now, object);
 }
 
 }  // namespace fourwis::can

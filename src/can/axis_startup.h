@@ -34,7 +34,7 @@ private:
   void go_on(double now, Outbox& outbox);
   void enter(BaseStage stage, double now) { stage_ = stage, entered_ = now; }
   void send(NmtCommand command, double now, Outbox& outbox);
-  void fail(Fault fault, std::uint32_t detail, double now);
+  void fail(Fault fault, std::uint32_t detail, double now, std::uint32_t object = 0);
 
   int node_;
   double boot_timeout_;

@@ -12,7 +12,10 @@ public:
   /// `log` must outlive this.
   FaultReporter(FaultLog& log, int axis) : log_(&log), axis_(axis) {}
 
-  void operator()(Fault fault, std::uint32_t detail, double now) const { log_->report(fault, axis_, detail, now); }
+  void operator()(Fault fault, std::uint32_t detail, double now, std::uint32_t object = 0) const
+  {
+    log_->report(fault, axis_, detail, now, object);
+  }
 
 private:
   FaultLog* log_;

@@ -1,8 +1,11 @@
 #include "fourwis_navigation/can/faults.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 #include <utility>
+
+#include "fourwis_navigation/can/sdo.h"
 
 namespace fourwis::can
 {
@@ -77,17 +80,21 @@ std::string text_of(const FaultRecord& record)
   if (!record.exists()) return "";
   std::ostringstream text;
   text << axis_name(record.axis) << ": " << to_string(record.fault);
-  if (record.detail != 0) text << " 0x" << std::hex << record.detail;
+  text << std::hex << std::setfill('0');
+  if (record.detail != 0) text << " 0x" << record.detail;
+  if (record.fault == Fault::sdo_abort) text << " (" << sdo_abort_text(record.detail) << ')';
+  if (record.object != 0)
+    text << " at " << std::setw(4) << (record.object >> 8) << ':' << std::setw(2) << (record.object & 0xFF);
   return text.str();
 }
 
-void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now)
+void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object)
 {
   auto reported = reported_.at(static_cast<std::size_t>(axis + 1))[static_cast<std::size_t>(fault)];
   if (reported) return;
   reported = true;
 
-  const FaultRecord record{fault, axis, detail, now};
+  const FaultRecord record{fault, axis, detail, object, now};
   std::move_backward(history_.begin(), history_.end() - 1, history_.end());
   history_.front() = record;
   if (!cause_.exists() || reaction(fault) > reaction(cause_.fault)) cause_ = record;

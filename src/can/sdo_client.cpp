@@ -17,11 +17,6 @@ bool is_missing_object(std::uint32_t abort_code)
   return abort_code == kNoSuchObject || abort_code == kNoSuchSubIndex;
 }
 
-std::uint32_t number_of(ObjectId object)
-{
-  return static_cast<std::uint32_t>(object.index) << 8 | object.sub;
-}
-
 }  // namespace
 
 void SdoClient::start(const SdoScript& script, double now, Outbox& outbox)
@@ -47,7 +42,7 @@ void SdoClient::receive(const Frame& frame, double now, Outbox& outbox)
 void SdoClient::supervise(double now, Outbox& outbox)
 {
   if (state_ != State::working || now - asked_ < timeout_) return;
-  if (attempts_ >= kAttempts) return fail(Fault::sdo_timeout, number_of(step().object));
+  if (attempts_ >= kAttempts) return fail(Fault::sdo_timeout, 0);
   request(now, outbox);
 }
 
@@ -74,7 +69,7 @@ void SdoClient::accept(const SdoReply& reply, double now, Outbox& outbox)
       return request(now, outbox);
     case SdoReply::Kind::value:
       if (!reading_) return;
-      if (!is_as_wanted(reply.value)) return fail(step().refusal, number_of(step().object));
+      if (!is_as_wanted(reply.value)) return fail(step().refusal, reply.value);
       return advance(now, outbox);
   }
 }
@@ -96,6 +91,11 @@ void SdoClient::fail(Fault fault, std::uint32_t detail)
   state_ = State::failed;
   fault_ = fault;
   detail_ = detail;
+}
+
+std::uint32_t SdoClient::object() const
+{
+  return static_cast<std::uint32_t>(step().object.index) << 8 | step().object.sub;
 }
 
 bool SdoClient::is_as_wanted(std::uint32_t value) const

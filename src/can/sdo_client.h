@@ -31,7 +31,8 @@ public:
 
   State state() const { return state_; }
   Fault fault() const { return fault_; }             ///< of `failed`
-  std::uint32_t detail() const { return detail_; }   ///< abort code, or the object as index << 8 | sub-index
+  std::uint32_t detail() const { return detail_; }   ///< abort code, or the value that was read
+  std::uint32_t object() const;                      ///< that it failed with, index << 8 | sub-index
 
 private:
   const SdoStep& step() const { return (*script_)[position_]; }

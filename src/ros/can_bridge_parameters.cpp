@@ -23,7 +23,7 @@ CanBridgeParameters can_bridge_parameters_from(const ParameterMap& parameters)
   CanBridgeParameters result;
   result.node = node_options(reader);
   result.robot = reader.group("robot", robot_from);
-  result.bridge = reader.group("bridge", bridge_options_from);
+  result.bridge = reader.group("can_bridge", bridge_options_from);
   result.node.frames.wheel_radius = result.bridge.wheel_radius;
   reader.ignore({"diagnostic_period"});
   reader.finish();

@@ -65,7 +65,8 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
                                                  const fourwis_navigation::WheelStates& wheels)
 {
   const ros::Time now = odometry.header.stamp;
-  if (first_.isZero() || now < newest_) restart(now);
+  if (now < newest_) restart();
+  if (first_.isZero()) first_ = now;
   newest_ = now;
   const std::uint64_t number = step_number(now.toSec(), parameters_.track.controller_frequency);
   if (number == number_ || now <= stepped_) return std::nullopt;
@@ -84,14 +85,12 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
   return step(now);
 }
 
-void ControlLoop::restart(const ros::Time& now)
+void ControlLoop::restart()
 {
   tracker_.emplace(parameters_.robot, parameters_.track);
   waiting_.reset();
-  trajectory_ = ros::Time();
-  first_ = now;
+  trajectory_ = first_ = stepped_ = ros::Time();
   number_ = 0;
-  stepped_ = ros::Time();
 }
 
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)

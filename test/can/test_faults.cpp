@@ -20,8 +20,10 @@ TEST(Faults, EachHasANameOfItsOwn)
 
 TEST(Faults, ARecordSaysWhoWhatAndTheDetail)
 {
-  EXPECT_EQ(text_of({Fault::emergency_message, 6, 0x8130, 1.0}), "driving rear_left: emergency_message 0x8130");
-  EXPECT_EQ(text_of({Fault::link_down, kNoAxis, 0, 1.0}), "base: link_down");
+  EXPECT_EQ(text_of({Fault::emergency_message, 6, 0x8130, 0, 1.0}), "driving rear_left: emergency_message 0x8130");
+  EXPECT_EQ(text_of({Fault::link_down, kNoAxis, 0, 0, 1.0}), "base: link_down");
+  EXPECT_EQ(text_of({Fault::sdo_abort, 0, 0x06040041, 0x160001, 1.0}),
+            "steering front_left: sdo_abort 0x6040041 (the object cannot be mapped) at 1600:01");
   EXPECT_EQ(text_of({}), "");
 }
 

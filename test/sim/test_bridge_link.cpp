@@ -111,6 +111,24 @@ TEST_F(BridgeLink, WhenTheBridgeIsKilledTheDrivesStopWithin100Ms)
   }
 }
 
+TEST_F(BridgeLink, ABridgeThatTakesTheKilledOnesPlaceMovesNothingBeforeItIsEnabled)
+{
+  drive();
+  bridge_alive = false;
+  pass(0.03);
+  can::Bridge second(robot, options);
+  can::BridgeConnection second_connection(second, spy);
+  const double begin = now();
+  const auto ready = [&]
+  {
+    if (std::lround(now() * 1e3) % 10 == 0) second_connection.cycle(now());
+    return second.report().stage == BridgeStage::ready;
+  };
+  EXPECT_LT(wait_for(ready), 1.0) << text_of(second.report().cause);
+  EXPECT_LE(last_motion(), begin);
+  EXPECT_EQ(fastest_wheel(), 0.0);
+}
+
 /// On a bus of 500 kbit/s with a queue of twelve frames.
 class BridgeOnASlowBus : public BridgeFixture
 {

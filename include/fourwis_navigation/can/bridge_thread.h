@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -17,6 +18,7 @@ struct BridgeUpdate
   WheelState wheels;
   BridgeReport report;
   BusCounters bus;
+  std::array<char, 128> bus_error{};  ///< what the bus says while it is down, for a person
   DelayStatistics delays;        ///< from command() until the bus has taken its frames
   std::uint64_t cycles = 0;
   std::uint64_t overruns = 0;    ///< cycles that were left out because the thread was not given the time

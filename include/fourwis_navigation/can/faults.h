@@ -74,13 +74,15 @@ struct FaultRecord
 {
   Fault fault = Fault::count;
   int axis = kNoAxis;
-  std::uint32_t detail = 0;  ///< what the fault's own message has: error code, object, identifier
+  std::uint32_t detail = 0;  ///< what the fault's own message has: error code, statusword, identifier
+  std::uint32_t object = 0;  ///< the object of the drive that it is about, index << 8 | sub-index; 0: none
   double time = 0.0;         ///< when it was detected [s]
 
   bool exists() const { return fault != Fault::count; }
 };
 
-/// "driving rear_left: emergency_message 0x8130"; empty for a record that does not exist.
+/// "driving rear_left: emergency_message 0x8130", "steering front_left: sdo_abort 0x6040041 (the object cannot be mapped) at
+/// 1600:01"; empty for a record that does not exist.
 std::string text_of(const FaultRecord& record);
 
 /// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No allocation.
@@ -89,7 +91,7 @@ class FaultLog
 public:
   static constexpr std::size_t kKept = 32;
 
-  void report(Fault fault, int axis, std::uint32_t detail, double now);
+  void report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object = 0);
 
   /// The strongest reaction reported since the last time somebody asked.
   Reaction take_reaction();

@@ -66,7 +66,7 @@ private:
     Trajectory trajectory;
   };
 
-  void restart(const ros::Time& now);
+  void restart();
   void check(const std_msgs::Header& header) const;
   void start_waiting(const ros::Time& now);
   void locate(const nav_msgs::Odometry& odometry);
