@@ -148,6 +148,26 @@ TEST_F(PoseSourceTest, where_the_robot_was_lies_between_two_transforms_whatever_
   EXPECT_EQ(again.theta, then.theta);
 }
 
+TEST_F(PoseSourceTest, where_the_robot_was_is_the_same_to_the_last_bit_whenever_it_is_asked_for)
+{
+  const std::atomic<bool> cancelled{false};
+  const PoseSource poses = source(StartFrom::tf);
+  for (int k = 0; k < 20; ++k)
+  {
+    const ros::Time time(10.0 + k);
+    const auto there = [&](double later)
+    { return transform("map", "base_link", {0.1 * k + later, 0.7 + later, 0.3 * k + later}, time + ros::Duration(later)); };
+    tf_.setTransform(there(-0.1), "test");
+    tf_.setTransform(there(0.0), "test");
+    auto early = std::async(std::launch::async, [&] { return poses.robot_at(time, cancelled); });
+    tf_.setTransform(there(0.1), "test");
+    const Pose first = early.get(), late = poses.robot_at(time, cancelled);
+    EXPECT_EQ(first.x, late.x);
+    EXPECT_EQ(first.y, late.y);
+    EXPECT_EQ(first.theta, late.theta);
+  }
+}
+
 TEST_F(PoseSourceTest, where_the_robot_is_now_is_waited_for)
 {
   const std::atomic<bool> cancelled{false};
