@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/track/step_number.h"
 #include "refuse.h"
 
 namespace fourwis
@@ -15,11 +16,13 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The base's stamps need not be multiples of the control period to the nanosecond.
-const ros::Duration kJitter(1e-3);
+/// A trajectory that is to begin later than this comes from somebody with another clock [s]. A stop that is does not wait.
+constexpr double kLongestWait = 10.0, kLongestWaitOfStop = 1.0;
 
-/// A trajectory that is to begin later than this comes from somebody with another clock.
-const ros::Duration kLongestWait(10.0);
+bool is_due(const ros::Time& stamp, bool stop, const ros::Time& now)
+{
+  return stamp <= now || (stop && stamp.toSec() - now.toSec() > kLongestWaitOfStop);
+}
 
 }  // namespace
 
@@ -34,16 +37,9 @@ ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::B
 
 void ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
 {
-  if (trajectory.points.empty())
-  {
-    waiting_.reset();
-    trajectory_ = trajectory.header.stamp;
-    tracker_->stop();
-    return;
-  }
   try
   {
-    check(trajectory.header);
+    if (!trajectory.points.empty()) check(trajectory.header);
     waiting_ = Waiting{trajectory.header.stamp, to_trajectory(trajectory)};
   }
   catch (const ConversionError& error)
@@ -59,10 +55,9 @@ void ControlLoop::check(const std_msgs::Header& header) const
            parameters_.node.global_frame, "'");
   if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
-    refuse("trajectory: was planned ", (first_ - header.stamp).toSec(), " s before the controller started");
-  if (header.stamp - newest_ > kLongestWait)
-    refuse("trajectory: is to begin ", (header.stamp - newest_).toSec(), " s after the newest odometry, expected at most ",
-           kLongestWait.toSec(), " s");
+    refuse("trajectory: was planned ", first_.toSec() - header.stamp.toSec(), " s before the controller started");
+  if (const double wait = header.stamp.toSec() - newest_.toSec(); wait > kLongestWait)
+    refuse("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ", kLongestWait, " s");
 }
 
 std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,
@@ -70,11 +65,11 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
 {
   const ros::Time now = odometry.header.stamp;
   if (now < newest_) restart();
-  if (first_.isZero()) first_ = due_ = now;
+  if (first_.isZero()) first_ = now;
   newest_ = now;
-  if (now + kJitter < due_ || now <= stepped_) return std::nullopt;
-  const ros::Duration period(1.0 / parameters_.track.controller_frequency);
-  due_ = std::max(due_ + period, now + kJitter);
+  const std::uint64_t number = step_number(now.toSec(), parameters_.track.controller_frequency);
+  if (number == number_ || now <= stepped_) return std::nullopt;
+  number_ = number;
   locate(odometry);
   input_.wheels = to_wheel_state(wheels);
   return step(now);
@@ -83,9 +78,10 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
 std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 {
   const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
-  if (first_.isZero() || (now - newest_).toSec() <= patience) return std::nullopt;
-  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string((now - newest_odometry_).toSec()) +
-             " s and " + std::to_string((now - newest_wheel_states_).toSec()) + " s old";
+  const auto age = [&](const ros::Time& stamp) { return now.toSec() - stamp.toSec(); };
+  if (first_.isZero() || age(newest_) <= patience) return std::nullopt;
+  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string(age(newest_odometry_)) + " s and " +
+             std::to_string(age(newest_wheel_states_)) + " s old";
   return step(now);
 }
 
@@ -94,6 +90,7 @@ void ControlLoop::restart()
   tracker_.emplace(parameters_.robot, parameters_.track);
   waiting_.reset();
   trajectory_ = first_ = stepped_ = ros::Time();
+  number_ = 0;
 }
 
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)
@@ -114,12 +111,14 @@ void ControlLoop::locate(const nav_msgs::Odometry& odometry)
 
 void ControlLoop::start_waiting(const ros::Time& now)
 {
-  if (!waiting_ || waiting_->stamp > now) return;
-  if (const std::string refusal = tracker_->accept(waiting_->trajectory); !refusal.empty())
-    refused_(waiting_->stamp, refusal);
-  else
-    trajectory_ = waiting_->stamp;
+  if (!waiting_ || !is_due(waiting_->stamp, waiting_->trajectory.empty(), now)) return;
+  const Waiting due = std::move(*waiting_);
   waiting_.reset();
+  if (due.trajectory.empty())
+    tracker_->stop();
+  else if (const std::string refusal = tracker_->accept(due.trajectory); !refusal.empty())
+    return refused_(due.stamp, refusal);
+  trajectory_ = due.stamp;
 }
 
 ControlStep ControlLoop::step(const ros::Time& now)
