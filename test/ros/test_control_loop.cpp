@@ -35,7 +35,7 @@ protected:
     odometry.child_frame_id = "base_link";
     odometry.pose.pose = to_message(Pose{});
     WheelState wheels;
-    wheels.state = BaseState::enabled;
+    wheels.state = state_;
     return loop_.measured(odometry, to_message(wheels, odometry.header.stamp, ""));
   }
 
@@ -75,6 +75,7 @@ protected:
   }
 
   tf2::BufferCore tf_;
+  BaseState state_ = BaseState::enabled;
   std::vector<std::string> refusals_;
   ControlLoop loop_{{}, tf_, [this](const ros::Time&, const std::string& why) { refusals_.push_back(why); }};
 };
@@ -119,6 +120,28 @@ TEST_F(ControlLoopTest, a_stop_ends_what_is_driven_and_what_waits)
     EXPECT_EQ(step.trajectory, ros::Time(kBegin + 0.2));
     EXPECT_EQ(step.output.command.mode, Mode::none);
   }
+}
+
+TEST_F(ControlLoopTest, a_stop_that_waits_is_not_postponed_by_what_comes_after_it)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  loop_.take(stop(kBegin + 0.3));
+  loop_.take(stop(kBegin + 0.4));
+  loop_.take(trajectory(kBegin + 5.0));
+  EXPECT_EQ(measure(kBegin + 0.2, kBegin + 0.3).back().output.state, TrackState::aligning);
+  const ControlStep step = measure(kBegin + 0.3, kBegin + 0.4).front();
+  EXPECT_EQ(step.output.command.mode, Mode::none);
+  EXPECT_EQ(step.trajectory, ros::Time(kBegin + 0.4)) << "named after the last one";
+  EXPECT_EQ(measure(kBegin + 5.0, kBegin + 5.1).front().trajectory, ros::Time(kBegin + 5.0));
+}
+
+TEST_F(ControlLoopTest, says_whether_the_base_lets_itself_be_driven)
+{
+  EXPECT_TRUE(measure(kBegin)->enabled);
+  state_ = BaseState::ready;
+  EXPECT_FALSE(measure(kBegin + 0.1)->enabled);
 }
 
 TEST_F(ControlLoopTest, a_stop_that_comes_before_the_first_measurement_counts_as_well)
