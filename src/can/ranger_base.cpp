@@ -116,6 +116,7 @@ AxisReport RangerBase::axis(int axis) const
                  : obeys() && follows_      ? DriveState::operation_enabled
                                             : DriveState::switched_on;
   report.statusword = state_.errors;
+  if (state_at_ != kNever) report.voltage = state_.voltage;
   const auto wheel = static_cast<std::size_t>(axis % kWheels);
   (axis < kWheels ? report.position : report.speed) =
     axis < kWheels ? measured_.angle[wheel] : measured_.speed[wheel];

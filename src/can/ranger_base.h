@@ -9,8 +9,8 @@
 namespace fourwis::can
 {
 
-/// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no drives
-/// of its own to switch: out of operation it is told to stand.
+/// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no
+/// drives of its own to switch: out of operation it is told to stand.
 class RangerBase final : public BaseProtocol
 {
 public:
