@@ -1,5 +1,7 @@
 """urdf/fourwis.urdf shows the robot that config/robot.yaml describes."""
 import pathlib
+import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree
 
@@ -67,6 +69,17 @@ class Urdf(unittest.TestCase):
         children = [joint.find('child').get('link') for joint in self.urdf.findall('joint')]
         self.assertEqual(len(children), len(set(children)))
         self.assertEqual(links - set(children), {'base_link'})
+
+
+class FittedUrdf(Urdf):
+    """fit_to_robot.py makes it show another robot."""
+
+    def setUp(self):
+        robot = ROOT / 'config' / 'robot_compact.yaml'
+        self.robot = yaml.safe_load(robot.read_text())
+        model = subprocess.run([sys.executable, ROOT / 'urdf' / 'fit_to_robot.py', robot], check=True,
+                               capture_output=True, text=True).stdout
+        self.urdf = xml.etree.ElementTree.fromstring(model)
 
 
 if __name__ == '__main__':

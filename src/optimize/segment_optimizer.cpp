@@ -9,12 +9,28 @@ namespace fourwis
 namespace
 {
 
-/// Most take 10 to 50 iterations, long lateral segments at full lock now and then 150.
-constexpr int kMostIterations = 300;
-/// Barrier parameter of a solve that starts from a solution of nearly the same problem.
-constexpr double kWarmBarrier = 1e-2;
+/// Barrier parameter at the start and iterations of a solve.
+struct Effort
+{
+  double barrier;
+  int iterations;
+};
+
+/// From the reference. Most take 10 to 50 iterations, long lateral segments at full lock now and then 150.
+constexpr Effort kCold{0.1, 300};
+/// From a solution of nearly the same problem: if the first, quick one fails, the second.
+constexpr Effort kWarm[] = {{1e-3, 60}, {1e-2, 300}};
 
 using Solver = ocp::Solver<SegmentModel>;
+
+void take(const Solver::Solution& solution, Mode mode, SegmentSolution& result)
+{
+  result.solved = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
+  result.message = ocp::to_string(solution.status);
+  result.points = points_of(solution.trajectory, mode);
+  result.iterations += solution.statistics.iterations;
+  result.corridor_violation = solution.statistics.elastic_violation;
+}
 
 }  // namespace
 
@@ -30,22 +46,24 @@ SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& 
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
   const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
 
-  ocp::Options solver_options;
-  solver_options.tolerance = tolerance;
-  solver_options.max_iterations = kMostIterations;
-  if (previous) solver_options.initial_barrier = kWarmBarrier;
+  const auto interrupted = [&] { return interrupt.cancelled() || interrupt.timed_out(); };
   Solver solver;
-  const Solver::Solution& solution =
-      solver.solve(problem.model, problem.numbers,
-                   previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref),
-                   solver_options, nullptr, [&] { return interrupt.cancelled() || interrupt.timed_out(); });
-
   SegmentSolution result;
-  result.solved = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
-  result.message = ocp::to_string(solution.status);
-  result.points = points_of(solution.trajectory, segment.mode);
-  result.iterations = solution.statistics.iterations;
-  result.corridor_violation = solution.statistics.elastic_violation;
+  const auto try_with = [&](const Effort& effort, const ocp::Trajectory<5, 3>& guess) {
+    ocp::Options solver_options;
+    solver_options.tolerance = tolerance;
+    solver_options.max_iterations = effort.iterations;
+    solver_options.initial_barrier = effort.barrier;
+    take(solver.solve(problem.model, problem.numbers, guess, solver_options, nullptr, interrupted), segment.mode, result);
+  };
+  if (!previous)
+    try_with(kCold, reference_guess(segment, limits, problem.model.h_ref));
+  else
+    for (const Effort& effort : kWarm)
+    {
+      try_with(effort, guess_from(*previous));
+      if (result.solved || interrupted()) break;
+    }
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/track/step_number.h"
 #include "refuse.h"
 
 namespace fourwis
@@ -15,11 +16,14 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The base's stamps need not be multiples of the control period to the nanosecond.
-const ros::Duration kJitter(1e-3);
+/// What is to begin later than this comes from somebody with another clock [s].
+constexpr double kLongestWait = 10.0;
 
-/// A trajectory that is to begin later than this comes from somebody with another clock.
-const ros::Duration kLongestWait(10.0);
+/// A stop never waits for somebody else's clock.
+bool is_due(const ros::Time& stamp, bool stop, const ros::Time& now)
+{
+  return stamp <= now || (stop && stamp.toSec() - now.toSec() > kLongestWait);
+}
 
 }  // namespace
 
@@ -34,16 +38,9 @@ ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::B
 
 void ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
 {
-  if (trajectory.points.empty())
-  {
-    waiting_.reset();
-    trajectory_ = trajectory.header.stamp;
-    tracker_->stop();
-    return;
-  }
   try
   {
-    check(trajectory.header);
+    if (!trajectory.points.empty()) check(trajectory.header);
     waiting_ = Waiting{trajectory.header.stamp, to_trajectory(trajectory)};
   }
   catch (const ConversionError& error)
@@ -60,20 +57,20 @@ void ControlLoop::check(const std_msgs::Header& header) const
   if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
     refuse("trajectory: was planned ", (first_ - header.stamp).toSec(), " s before the controller started");
-  if (header.stamp - newest_ > kLongestWait)
-    refuse("trajectory: is to begin ", (header.stamp - newest_).toSec(), " s after the newest odometry, expected at most ",
-           kLongestWait.toSec(), " s");
+  if (const double wait = header.stamp.toSec() - newest_.toSec(); wait > kLongestWait)
+    refuse("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ", kLongestWait, " s");
 }
 
 std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,
                                                  const fourwis_navigation::WheelStates& wheels)
 {
   const ros::Time now = odometry.header.stamp;
-  if (first_.isZero() || now < newest_) restart(now);
+  if (now < newest_) restart();
+  if (first_.isZero()) first_ = now;
   newest_ = now;
-  if (now + kJitter < due_ || now <= stepped_) return std::nullopt;
-  const ros::Duration period(1.0 / parameters_.track.controller_frequency);
-  due_ = std::max(due_ + period, now + kJitter);
+  const std::uint64_t number = step_number(now.toSec(), parameters_.track.controller_frequency);
+  if (number == number_ || now <= stepped_) return std::nullopt;
+  number_ = number;
   locate(odometry);
   input_.wheels = to_wheel_state(wheels);
   return step(now);
@@ -88,13 +85,12 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
   return step(now);
 }
 
-void ControlLoop::restart(const ros::Time& now)
+void ControlLoop::restart()
 {
   tracker_.emplace(parameters_.robot, parameters_.track);
   waiting_.reset();
-  trajectory_ = ros::Time();
-  first_ = due_ = now;
-  stepped_ = ros::Time();
+  trajectory_ = first_ = stepped_ = ros::Time();
+  number_ = 0;
 }
 
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)
@@ -115,12 +111,14 @@ void ControlLoop::locate(const nav_msgs::Odometry& odometry)
 
 void ControlLoop::start_waiting(const ros::Time& now)
 {
-  if (!waiting_ || waiting_->stamp > now) return;
-  if (const std::string refusal = tracker_->accept(waiting_->trajectory); !refusal.empty())
-    refused_(waiting_->stamp, refusal);
-  else
-    trajectory_ = waiting_->stamp;
+  if (!waiting_ || !is_due(waiting_->stamp, waiting_->trajectory.empty(), now)) return;
+  const Waiting due = std::move(*waiting_);
   waiting_.reset();
+  if (due.trajectory.empty())
+    tracker_->stop();
+  else if (const std::string refusal = tracker_->accept(due.trajectory); !refusal.empty())
+    return refused_(due.stamp, refusal);
+  trajectory_ = due.stamp;
 }
 
 ControlStep ControlLoop::step(const ros::Time& now)

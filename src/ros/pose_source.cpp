@@ -72,7 +72,9 @@ Pose PoseSource::robot_at(const ros::Time& time, const std::atomic<bool>& cancel
 
 bool PoseSource::wait_for_robot(const ros::Time& time, const std::atomic<bool>& cancelled) const
 {
-  const auto known = [&] { return tf_.canTransform(options_.global_frame, options_.robot_base_frame, time); };
+  // Strictly later: between two transforms the last bit is another one than at the newest, even at the time of one of the two.
+  const ros::Time later = time + ros::Duration(0, 1);
+  const auto known = [&] { return tf_.canTransform(options_.global_frame, options_.robot_base_frame, later); };
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options_.transform_tolerance);
   while (!known() && !cancelled && ros::WallTime::now() < end) ros::WallDuration(0.002).sleep();
   return known();

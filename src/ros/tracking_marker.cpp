@@ -37,6 +37,7 @@ Marker tracking_marker(const Tracking& tracking, const std::string& robot_base_f
   marker.ns = "tracking";
   marker.type = Marker::TEXT_VIEW_FACING;
   marker.action = Marker::ADD;
+  marker.pose.position.y = -0.8;
   marker.pose.position.z = 1.0;
   marker.pose.orientation.w = 1.0;
   marker.scale.z = 0.2;

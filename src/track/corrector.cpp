@@ -1,18 +1,24 @@
 #include "corrector.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "creep.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
 {
 namespace
 {
 
-/// Room for a correction [points].
-constexpr std::size_t kCorrectionPoints = 4096;
-
 constexpr TrajectoryPoint kNowhere = {0.0, Mode::parallel};
+
+/// Longest correction of a robot that is as far away as it may be [s].
+double longest(const Robot& robot, const TrackOptions& options)
+{
+  const double way = std::hypot(options.max_lateral_error, options.max_longitudinal_error);
+  return 4.0 + std::max(way, options.max_heading_error * spin_radius(robot)) / options.correction_speed;
+}
 
 }  // namespace
 
@@ -26,7 +32,7 @@ Corrector::Corrector(const Robot& robot, const TrackOptions& options)
     options_(options),
     stretch_(robot, &kNowhere, &kNowhere + 1)
 {
-  stretch_.reserve(kCorrectionPoints);
+  stretch_.reserve(longest(robot, options));
 }
 
 bool Corrector::start(const Pose& from, const RestingPlace& to)

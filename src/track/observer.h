@@ -31,6 +31,10 @@ public:
   /// Takes over the input, or says what is wrong with it.
   Trouble observe(const TrackInput& input);
 
+  /// The clock begins at 0 again with the next observe(), so that no rounding in a drive depends on how long ago the tracker
+  /// was started.
+  void restart_clock() { measured_.now = 0.0; }
+
   const Measurement& measured() const { return measured_; }
 
 private:

@@ -12,6 +12,8 @@ namespace
 
 /// Greatest distance of two points in time [s].
 constexpr double kSpacing = 0.02;
+/// Pieces that are shorter because an interval ends.
+constexpr std::size_t kSpare = 16;
 
 MotionState state_of(const TrajectoryPoint& point)
 {
@@ -38,6 +40,11 @@ void Reference::assign(const TrajectoryPoint* first, const TrajectoryPoint* end)
     std::minmax_element(first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
   least_phi_ = least->phi;
   greatest_phi_ = greatest->phi;
+}
+
+void Reference::reserve(double duration)
+{
+  pieces_.reserve(static_cast<std::size_t>(duration / kSpacing) + kSpare);
 }
 
 /// Appends everything after `from`, the last point so far, up to `to`.

@@ -28,8 +28,8 @@ public:
   /// Another stretch instead. Allocates only where it is longer than any before.
   void assign(const TrajectoryPoint* first, const TrajectoryPoint* end);
 
-  /// Room for a stretch of that many points, 20 ms apart.
-  void reserve(std::size_t points) { pieces_.reserve(points); }
+  /// Room for a stretch of that duration [s].
+  void reserve(double duration);
 
   Mode mode() const { return pieces_.front().point.mode; }
   double start_time() const { return pieces_.front().point.t; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fourwis_navigation/track/step_number.h"
+
 namespace fourwis
 {
 namespace
@@ -42,24 +44,33 @@ void Sequencer::stop()
 
 TrackOutput Sequencer::step(const TrackInput& input)
 {
-  if (!numbered_) sequence_ = input.wheels.sequence;
-  numbered_ = true;
+  number(input.now);
+  if (has_next_ && rests()) observer_.restart_clock();
   const Trouble trouble = observer_.observe(input);
   elapsed_ += measured_.period;
   corrector_.pass(measured_.period);
   TrackOutput output;
   output.command = act(input.wheels, trouble);
-  output.command.sequence = ++sequence_;
+  output.command.sequence = sequence_;
   report(output);
   return output;
+}
+
+/// Commands are numbered like the control steps, so that a new controller does not repeat the numbers of the one before, and a
+/// replayed one repeats its own.
+void Sequencer::number(double now)
+{
+  const auto step = static_cast<std::uint32_t>(step_number(now, options_.controller_frequency));
+  const bool advances = static_cast<std::int32_t>(step - sequence_) > 0;
+  sequence_ = advances || !numbered_ ? step : sequence_ + 1;
+  numbered_ = true;
 }
 
 WheelCommand Sequencer::act(const WheelState& wheels, const Trouble& trouble)
 {
   if (trouble && is_under_way()) brake_for(trouble);
-  const bool rests = !is_under_way() && state_ != TrackState::stopping;
-  if (rests && measured_.usable) steering_.adopt(measured_.wheels.angle);
-  if (rests && has_next_) begin(trouble);
+  if (rests() && measured_.usable) steering_.adopt(measured_.wheels.angle);
+  if (rests() && has_next_) begin(trouble);
   switch (state_)
   {
     case TrackState::aligning: return align(wheels);
@@ -83,7 +94,7 @@ void Sequencer::begin(const Trouble& trouble)
 
 Trouble Sequencer::judge_start(const Pose& start) const
 {
-  if (!measured_.usable || is_under_way() || state_ == TrackState::stopping) return {};
+  if (!measured_.usable || !rests()) return {};
   const double away = distance(measured_.pose, start);
   const double turned = std::abs(wrap_angle(measured_.pose.theta - start.theta));
   if (away <= options_.max_lateral_error && turned <= options_.max_heading_error) return {};
@@ -98,7 +109,7 @@ void Sequencer::start_aligning()
   if (const Trouble trouble = steering_.choose(next.mode(), next.start_phi(), range, measured_.wheels.angle))
     return enter(TrackState::failed, trouble);
   enter(TrackState::aligning);
-  aligning_sequence_ = sequence_ + 1;
+  aligning_sequence_ = sequence_;
 }
 
 WheelCommand Sequencer::align(const WheelState& wheels)
@@ -118,8 +129,8 @@ WheelCommand Sequencer::align(const WheelState& wheels)
 /// Whether `aligned` is about the angles wanted now: the base has taken one of the commands sent since.
 bool Sequencer::is_aligned(const WheelState& wheels) const
 {
-  const std::uint32_t sent = sequence_ + 1 - aligning_sequence_, behind = sequence_ - wheels.sequence;
-  return wheels.aligned && wheels.mode == stretch().mode() && behind < sent;
+  const std::uint32_t since = sequence_ - aligning_sequence_, behind = sequence_ - wheels.sequence;
+  return wheels.aligned && wheels.mode == stretch().mode() && behind > 0 && behind <= since;
 }
 
 WheelCommand Sequencer::drive()

@@ -38,6 +38,7 @@ public:
 
 private:
   bool is_under_way() const { return state_ == TrackState::aligning || state_ == TrackState::driving; }
+  bool rests() const { return !is_under_way() && state_ != TrackState::stopping; }
   bool is_last() const { return index_ + 1 == mission_.size(); }
   const Reference& stretch() const { return corrector_.is_active() ? corrector_.stretch() : mission_[index_]; }
   RestingPlace resting_place() const;
@@ -58,6 +59,7 @@ private:
 
   bool is_aligned(const WheelState& wheels) const;
   void report(TrackOutput& output);
+  void number(double now);
 
   const Robot robot_;
   const TrackOptions options_;
@@ -79,7 +81,7 @@ private:
   std::size_t index_ = 0;  ///< of the stretch within the mission
 
   bool numbered_ = false;                ///< whether the sequence has begun
-  std::uint32_t sequence_ = 0;           ///< of the last command
+  std::uint32_t sequence_ = 0;           ///< of this step's command
   std::uint32_t aligning_sequence_ = 0;  ///< of the first command with the angles to align to
   const std::vector<Pose> none_;
 };

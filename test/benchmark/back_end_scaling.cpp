@@ -18,7 +18,11 @@ struct Sample
   std::string problem;
   double length = 0.0;  ///< of the path [m]
   Refinement refinement;
-  std::vector<double> cpu_ms;
+  std::vector<double> cpu_ms;     ///< of refine()
+  std::vector<double> polish_ms;  ///< of polish() in addition
+
+  double refined() const { return median(cpu_ms); }
+  double polished() const { return refined() + median(polish_ms); }
 };
 
 /// Without runs when there is no path.
@@ -40,6 +44,10 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
     sample.refinement = refine(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed,
                                found.paths.front(), Interrupt());
     sample.cpu_ms.push_back(cpu_ms() - begin);
+    Refinement polished = sample.refinement;
+    const double between = cpu_ms();
+    polish(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed, Interrupt(), polished);
+    sample.polish_ms.push_back(cpu_ms() - between);
   }
   return sample;
 }
@@ -47,7 +55,6 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
 std::vector<std::string> row(const Sample& sample)
 {
   const Refinement& refinement = sample.refinement;
-  const double middle = median(sample.cpu_ms);
   return {sample.problem,
           fixed(sample.length, 2),
           std::to_string(refinement.trajectory.size()),
@@ -55,9 +62,11 @@ std::vector<std::string> row(const Sample& sample)
           std::to_string(refinement.fallbacks),
           std::to_string(refinement.outer_iterations),
           std::to_string(refinement.solver_iterations),
-          fixed(middle, 2),
+          fixed(sample.refined(), 2),
           fixed(worst(sample.cpu_ms), 2),
-          fixed(middle / sample.length, 3)};
+          fixed(sample.refined() / sample.length, 3),
+          fixed(sample.polished(), 2),
+          fixed(sample.polished() / sample.length, 3)};
 }
 
 /// The line y = offset + slope x of least squares, and how well it fits.
@@ -84,13 +93,13 @@ Line fit(const std::vector<double>& x, const std::vector<double>& y)
   return {mean_y - xy / xx * mean_x, xy / xx, xy / std::sqrt(xx * yy)};
 }
 
-std::string summary(const std::vector<Sample>& samples)
+std::string summary(const std::vector<Sample>& samples, double (Sample::*time)() const)
 {
   std::vector<double> lengths, times, rates, log_lengths, log_times;
   for (const Sample& sample : samples)
   {
     lengths.push_back(sample.length);
-    times.push_back(median(sample.cpu_ms));
+    times.push_back((sample.*time)());
     rates.push_back(times.back() / sample.length);
     log_lengths.push_back(std::log(lengths.back()));
     log_times.push_back(std::log(times.back()));
@@ -116,11 +125,12 @@ void report_back_end_scaling(const Report& report, const Setup& setup, const std
   }
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.length < b.length; });
   Table table({"problem", "path m", "points", "segments", "fallbacks", "rounds", "iterations", "CPU ms", "worst",
-               "ms per m"});
+               "ms per m", "polished ms", "polished ms per m"});
   for (const Sample& sample : samples) table.add(row(sample));
   report.title(title);
   report.table(table);
-  report.line(summary(samples) + "; paths " + std::to_string(samples.size()) + "/" + std::to_string(problems.size()));
+  report.line("Polished: " + summary(samples, &Sample::polished));
+  report.line(summary(samples, &Sample::refined) + "; paths " + std::to_string(samples.size()) + "/" + std::to_string(problems.size()));
 }
 
 }  // namespace fourwis::benchmark

@@ -1,6 +1,5 @@
 #include "backend_arguments.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include "setup_arguments.h"
@@ -41,18 +40,14 @@ void check(const BackendArguments& arguments)
 BackendArguments parse_backend_arguments(int argc, const char* const* argv)
 {
   const po::options_description all = options();
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional({}).run(), given);
-  po::notify(given);
+  const po::variables_map given = options_given(argc, argv, all);
   BackendArguments arguments;
   if (given.count("help"))
   {
-    std::ostringstream text;
-    text << all;
-    arguments.help = text.str();
+    arguments.help = help_text(all);
     return arguments;
   }
-  if (given.count("problems")) arguments.problems = given["problems"].as<Files>();
+  arguments.problems = files_in(given, "problems");
   arguments.backend_only = given.count("backend-only") > 0;
   arguments.environments = given.count("environments") > 0;
   arguments.paper = given.count("paper") > 0;

@@ -4,7 +4,7 @@
 
 #include "ablation.h"
 #include "barn.h"
-#include "benchmark_arguments.h"
+#include "frontend_arguments.h"
 #include "corner_to_corner.h"
 #include "plan_table.h"
 #include "walled_in.h"

@@ -38,6 +38,26 @@ void add_setup_options(po::options_description& options)
   add("markdown", "print tables for a Markdown file");
 }
 
+po::variables_map options_given(int argc, const char* const* argv, const po::options_description& options)
+{
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(options).positional({}).run(), given);
+  po::notify(given);
+  return given;
+}
+
+std::string help_text(const po::options_description& options)
+{
+  std::ostringstream text;
+  text << options;
+  return text.str();
+}
+
+std::vector<std::string> files_in(const po::variables_map& given, const std::string& option)
+{
+  return given.count(option) ? given[option].as<std::vector<std::string>>() : std::vector<std::string>();
+}
+
 Setup setup_in(const po::variables_map& given)
 {
   Setup setup;

@@ -220,6 +220,56 @@ TEST_F(PlanCommand, UnusableInputIsStatusTwoNamedInOneLineAndInTheJson)
   }
 }
 
+/// A configuration file of ours with one value changed.
+std::string changed(const std::string& file, const std::string& key, const std::string& value)
+{
+  std::istringstream lines(content_of(FOURWIS_SOURCE_DIR "/config/" + file));
+  std::string text;
+  for (std::string line; std::getline(lines, line); text += line + '\n')
+    if (line.rfind(key + ":", 0) == 0) line = key + ": " + value;
+  return text;
+}
+
+TEST_F(PlanCommand, LimitsThatAreNoneAreStatusTwoByNameValueAndRange)
+{
+  for (const std::string key : {"max_speed", "max_acceleration", "max_steering_rate", "wheel_max_rate", "wheel_max_speed"})
+    for (const std::string value : {"0", "-1", ".inf", ".nan"})
+    {
+      std::ofstream(path("robot.yaml")) << changed("robot.yaml", key, value);
+      const Outcome outcome = run(easy() + Words{"--robot", path("robot.yaml")});
+      EXPECT_EQ(outcome.status, 2) << key << " " << value;
+      expect_one_line(outcome.err, {"robot.yaml", key, "expected a number from"});
+    }
+}
+
+TEST_F(PlanCommand, AMillimetreIsPlanned)
+{
+  for (const std::string goal : {"1.501,1.5,0", "1.5,1.501,0", "1.5,1.5,0.001", "1.5,1.5,0"})
+  {
+    const Outcome outcome = run(across("1.5,1.5,0", goal));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
+TEST_F(PlanCommand, ThePapersFormulationNeedsIpoptAndIsRefusedByTheReferee)
+{
+  std::ofstream(path("paper.yaml")) << changed("planner.yaml", "formulation", "paper");
+  const Words paper = {"--planner", path("paper.yaml"), "--modes", "ackermann", "--json", "-"};
+  const Outcome alone = run(easy() + paper);
+  EXPECT_EQ(alone.status, 2);
+  expect_one_line(alone.err, {"'solver' is 'structured'", "expected 'ipopt'"});
+
+  std::string text = content_of(path("paper.yaml"));
+  text.replace(text.find("solver: structured"), 18, "solver: ipopt");
+  std::ofstream(path("paper.yaml")) << text;
+  const Outcome outcome = run(easy() + paper);
+  EXPECT_EQ(outcome.status, 1);
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["status"], "verification_failed");
+  EXPECT_NE(document["message"].get<std::string>().find("limit"), std::string::npos) << document["message"];
+  EXPECT_TRUE(document["points"].empty());
+}
+
 TEST_F(PlanCommand, OutputThatCannotBeWrittenIsStatusTwoByNameAndLeavesNothing)
 {
   for (const std::string option : {"--json", "--csv", "--svg"})

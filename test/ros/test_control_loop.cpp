@@ -121,6 +121,12 @@ TEST_F(ControlLoopTest, a_stop_ends_what_is_driven_and_what_waits)
   }
 }
 
+TEST_F(ControlLoopTest, a_stop_that_comes_before_the_first_measurement_counts_as_well)
+{
+  loop_.take(stop(kBegin - 1.0));
+  EXPECT_EQ(measure(kBegin, kBegin + 0.1).back().trajectory, ros::Time(kBegin - 1.0));
+}
+
 TEST_F(ControlLoopTest, refuses_what_it_cannot_drive_and_says_why)
 {
   EXPECT_TRUE(says(refusal(trajectory(kBegin)), "came before odometry and wheel states"));

@@ -3,12 +3,14 @@
 #include <functional>
 #include <future>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
 #include "fourwis_navigation/ros/conversions.h"
 #include "fourwis_navigation/ros/pose_source.h"
+#include "inbox.h"
 #include "refusals.h"
 
 namespace fourwis
@@ -146,6 +148,31 @@ TEST_F(PoseSourceTest, where_the_robot_was_lies_between_two_transforms_whatever_
   EXPECT_EQ(again.x, then.x);
   EXPECT_EQ(again.y, then.y);
   EXPECT_EQ(again.theta, then.theta);
+}
+
+TEST_F(PoseSourceTest, where_the_robot_was_is_the_same_to_the_last_bit_whenever_it_is_asked_for)
+{
+  const std::atomic<bool> cancelled{false};
+  const PoseSource poses = source(StartFrom::tf);
+  for (int k = 1; k <= 50; ++k)
+  {
+    const auto hear = [&](double seconds)
+    {
+      const double a = k + seconds;
+      for (const auto& [parent, child] : {std::pair("map", "odom"), {"odom", "base_link"}})
+        tf_.setTransform(transform(parent, child, {0.1 * a, 0.7 * a, 0.3 * a}, ros::Time(a)), "test");
+    };
+    hear(-0.1);
+    hear(0.0);
+    std::atomic<bool> asked{false};
+    auto early = std::async(std::launch::async, [&] { return asked = true, poses.robot_at(ros::Time(k), cancelled); });
+    ASSERT_TRUE(wait_until([&] { return asked.load(); }));
+    hear(0.1);
+    const Pose first = early.get(), late = poses.robot_at(ros::Time(k), cancelled);
+    EXPECT_EQ(first.x, late.x);
+    EXPECT_EQ(first.y, late.y);
+    EXPECT_EQ(first.theta, late.theta);
+  }
 }
 
 TEST_F(PoseSourceTest, where_the_robot_is_now_is_waited_for)

@@ -72,23 +72,35 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
   }
 }
 
-TEST(TrackerSequence, CommandsAreNumberedFromWhereTheBaseIs)
+/// The rig's clock, `seconds` later.
+std::function<void(TrackInput&)> later(double seconds)
+{
+  return [seconds](TrackInput& input)
+  {
+    for (double* time : {&input.now, &input.pose_stamp, &input.wheels.stamp}) *time += seconds;
+  };
+}
+
+TEST(TrackerSequence, CommandsAreNumberedLikeTheControlSteps)
 {
   Rig rig;
-  rig.tamper = [](TrackInput& input) { input.wheels.sequence = 4711; };
-  EXPECT_EQ(rig.step().command.sequence, 4712u);
-  rig.tamper = {};
-  EXPECT_EQ(rig.step().command.sequence, 4713u);
+  rig.tamper = later(1000.0);
+  EXPECT_EQ(rig.step().command.sequence, 50000u);
+  EXPECT_EQ(rig.step().command.sequence, 50001u);
+  rig.tamper = later(1010.0);
+  EXPECT_EQ(rig.step().command.sequence, 50502u);
+  rig.tamper = later(500.0);
+  EXPECT_EQ(rig.step().command.sequence, 50503u) << "a clock that runs back";
 }
 
 TEST(TrackerSequence, TheSequenceMayWrapAround)
 {
   Rig rig;
-  rig.tamper = [](TrackInput& input) { input.wheels.sequence = 0xfffffffau; };
-  rig.step();
-  rig.tamper = {};
+  rig.tamper = later(0x1p32 / 50.0 - 0.1);
+  EXPECT_GT(rig.step().command.sequence, 0xfffffff0u);
   ASSERT_EQ(rig.tracker.accept(sideways(rig.robot)), "");
   EXPECT_TRUE(rig.step_until(TrackState::arrived));
+  EXPECT_LT(rig.output.command.sequence, 1000u);
 }
 
 TEST(TrackerSequence, ANewTrajectoryWhileDrivingStopsFirst)

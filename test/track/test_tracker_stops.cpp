@@ -79,16 +79,22 @@ double told_speed(const Rig& rig)
   return rig.output.command.motion.speed[3];
 }
 
+/// Drives fast, lets it happen, and goes on until the tracker has noticed.
+void drive_into(Rig& rig, const Failure& failure)
+{
+  ASSERT_EQ(rig.tracker.accept(long_arc(rig.robot)), "");
+  ASSERT_TRUE(rig.step_until_fast(0.9));
+  rig.tamper = failure.tamper;
+  ASSERT_TRUE(rig.step_until(TrackState::stopping, 1.0));
+}
+
 TEST(TrackerStops, EveryReasonIsNamedAndEndsAtRest)
 {
   for (const Failure& failure : failures())
   {
     SCOPED_TRACE(failure.says);
     Rig rig;
-    ASSERT_EQ(rig.tracker.accept(long_arc(rig.robot)), "");
-    ASSERT_TRUE(rig.step_until_fast(0.9));
-    rig.tamper = failure.tamper;
-    ASSERT_TRUE(rig.step_until(TrackState::stopping, 1.0));
+    ASSERT_NO_FATAL_FAILURE(drive_into(rig, failure));
     EXPECT_NE(rig.message.find(failure.says), std::string::npos) << rig.message;
     ASSERT_TRUE(rig.step_until(TrackState::failed, 3.0));
     EXPECT_NE(rig.message.find(failure.says), std::string::npos) << rig.message;
@@ -103,10 +109,7 @@ TEST(TrackerStops, BrakesAtMaxAccelerationWithSteeringHeld)
   {
     SCOPED_TRACE(failure.says);
     Rig rig;
-    ASSERT_EQ(rig.tracker.accept(long_arc(rig.robot)), "");
-    ASSERT_TRUE(rig.step_until_fast(0.9));
-    rig.tamper = failure.tamper;
-    ASSERT_TRUE(rig.step_until(TrackState::stopping, 1.0));
+    ASSERT_NO_FATAL_FAILURE(drive_into(rig, failure));
     const PerWheel angles = rig.output.command.motion.angle;
     double speed = told_speed(rig);
     const double ratio = rig.output.command.motion.speed[0] / speed;

@@ -33,7 +33,7 @@ struct WheelMotion
 struct WheelCommand
 {
   Mode mode = Mode::none;      ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it has
-  std::uint32_t sequence = 0;  ///< counts the commands; wraps around
+  std::uint32_t sequence = 0;  ///< grows from command to command; wraps around
   WheelMotion motion;
 };
 

@@ -40,8 +40,8 @@ public:
   /// `tf` must outlive this.
   ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
 
-  /// An empty trajectory stops at once. Any other begins with the first step that is not before its stamp. Refused: one in
-  /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over from
+  /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. Refused: one in another
+  /// frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over from
   /// somebody else's drive) or far ahead of the newest.
   void take(const fourwis_navigation::ModeTrajectory& trajectory);
 
@@ -66,7 +66,7 @@ private:
     Trajectory trajectory;
   };
 
-  void restart(const ros::Time& now);
+  void restart();
   void check(const std_msgs::Header& header) const;
   void start_waiting(const ros::Time& now);
   void locate(const nav_msgs::Odometry& odometry);
@@ -80,7 +80,8 @@ private:
   ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
   ros::Time first_, newest_;  ///< pair
   ros::Time newest_odometry_, newest_wheel_states_;
-  ros::Time due_, stepped_;   ///< the next step, and the last one
+  ros::Time stepped_;          ///< the last step
+  std::uint64_t number_ = 0;  ///< of it
   TrackInput input_;
   double speed_ = 0.0;
   std::string problem_;

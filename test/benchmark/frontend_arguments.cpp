@@ -1,6 +1,5 @@
-#include "benchmark_arguments.h"
+#include "frontend_arguments.h"
 
-#include <sstream>
 #include <stdexcept>
 
 #include <boost/program_options.hpp>
@@ -50,19 +49,15 @@ void check(const Arguments& arguments)
 Arguments parse_arguments(int argc, const char* const* argv)
 {
   const po::options_description all = options();
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional({}).run(), given);
-  po::notify(given);
+  const po::variables_map given = options_given(argc, argv, all);
   Arguments arguments;
   if (given.count("help"))
   {
-    std::ostringstream text;
-    text << all;
-    arguments.help = text.str();
+    arguments.help = help_text(all);
     return arguments;
   }
-  if (given.count("problems")) arguments.problems = given["problems"].as<Files>();
-  if (given.count("map")) arguments.maps = given["map"].as<Files>();
+  arguments.problems = files_in(given, "problems");
+  arguments.maps = files_in(given, "map");
   arguments.environments = given.count("environments") > 0;
   arguments.walled_in = given.count("walled-in") > 0;
   arguments.ablation = given.count("ablation") > 0;
