@@ -10,7 +10,8 @@ namespace
 
 TEST_F(DriveFixture, a_controller_that_is_restarted_mid_drive_does_not_move_until_there_is_a_new_trajectory)
 {
-  const auto start_controller = [] { return std::make_unique<NodeProcess>("mpc_controller_node", std::vector<std::string>{}); };
+  const std::vector<std::string> arguments;
+  const auto start_controller = [&] { return std::make_unique<NodeProcess>("mpc_controller_node", arguments); };
   auto controller = start_controller();
   connect();
   const ros::Time drive = send(plan({18, 10, 0}, {true, false, false}));
