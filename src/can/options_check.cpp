@@ -1,5 +1,6 @@
 #include "options_check.h"
 
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -36,7 +37,9 @@ void check(const BridgeOptions& options)
   std::set<int> nodes = {options.master_node};
   for (const WheelAxes* axes : {&options.steering, &options.driving})
     for (const AxisOptions& axis : *axes) check_axis(axis, nodes);
-  refuse(!(options.cycle_time > 0.0), "cycle_time is not positive");
+  const double milliseconds = options.cycle_time * 1e3;
+  refuse(!(milliseconds > 0.5 && std::abs(milliseconds - std::round(milliseconds)) < 1e-6),
+         "cycle_time is " + std::to_string(options.cycle_time) + " s, expected whole milliseconds");
   check_shorter("heartbeat_period", options.heartbeat_period, "drive_watchdog", options.drive_watchdog);
   check_shorter("heartbeat_period", options.heartbeat_period, "heartbeat_timeout", options.heartbeat_timeout);
   check_shorter("cycle_time", options.cycle_time, "feedback_timeout", options.feedback_timeout);

@@ -108,6 +108,7 @@ TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
   refused([](BridgeOptions& o) { o.master_node = 8; });
   refused([](BridgeOptions& o) { o.drive_watchdog = o.heartbeat_period; });
   refused([](BridgeOptions& o) { o.heartbeat_timeout = 0.01; });
+  refused([](BridgeOptions& o) { o.cycle_time = 0.0105; });
   refused([](BridgeOptions& o) { o.feedback_timeout = o.cycle_time; });
 }
 
