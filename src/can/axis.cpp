@@ -39,7 +39,7 @@ Axis::Axis(const Robot& robot, const BridgeOptions& options, int index, FaultLog
     scale_(scale_of(options, options_of(options, index), steering_)), mode_(working_mode(options, steering_)),
     report_fault_(log, index), startup_(robot, options, options_of(options, index), steering_, report_fault_),
     watch_(watch_of(robot, options, steering_, report_fault_)),
-    homing_(steering_ && options.homing, options.homing_timeout, report_fault_)
+    homing_(steering_ && options.homing, options.homing_timeout, report_fault_), telemetry_(options, node_)
 {
 }
 
@@ -55,7 +55,8 @@ void Axis::restart(bool reset_fault, double now, Outbox& outbox)
 
 void Axis::receive(Service service, const Frame& frame, double now, Outbox& outbox)
 {
-  if (service == Service::sdo_reply) return startup_.receive_sdo(frame, now, outbox);
+  if (service == Service::sdo_reply)
+    return startup_.done() ? telemetry_.receive(frame) : startup_.receive_sdo(frame, now, outbox);
   const auto heartbeat = decode_heartbeat(frame);
   const auto status = decode_drive_status(frame);
   const auto motion = decode_drive_motion(frame);
@@ -76,6 +77,7 @@ void Axis::supervise(double now, Outbox& outbox)
   if (!startup_.done()) return;
   watch_.supervise(now);
   supervise_power(now);
+  telemetry_.supervise(now, outbox);
 }
 
 void Axis::sync_sent()
@@ -124,7 +126,9 @@ bool Axis::out_of_operation() const
 
 AxisReport Axis::report() const
 {
-  return {nmt_, has_status_ ? state() : DriveState::unknown, status_.statusword, emergency_, position(), speed()};
+  const DriveState power = has_status_ ? state() : DriveState::unknown;
+  return {nmt_, power, status_.statusword, emergency_, position(), speed(), telemetry_.voltage(),
+          telemetry_.temperature()};
 }
 
 void Axis::receive_heartbeat(NmtState state, double now, Outbox& outbox)
@@ -171,6 +175,7 @@ void Axis::finish_start(double now)
   startup_.receive_cyclic();
   if (!startup_.done()) return;
   watch_.begin(now);
+  telemetry_.begin(now);
   resetting_ = resetting_ && is_in_fault(state());
   reset_until_ = now + kResetTime;
 }
@@ -214,7 +219,8 @@ std::int32_t Axis::counts_of(double target) const
   return steering_ ? scale_.to_counts(target) : scale_.to_rate_counts(target);
 }
 
-/// What a drive may find as its target whenever it begins to follow: where it is, at rest. A residual target moves the motor.
+/// What a drive may find as its target whenever it begins to follow: where it is, at rest. A residual target moves
+/// the motor.
 std::int32_t Axis::resting_counts() const
 {
   return steering_ ? motion_.position : 0;

@@ -4,6 +4,7 @@
 
 #include "axis_homing.h"
 #include "axis_startup.h"
+#include "axis_telemetry.h"
 #include "axis_watch.h"
 
 namespace fourwis::can
@@ -56,6 +57,7 @@ private:
   AxisStartup startup_;
   AxisWatch watch_;
   AxisHoming homing_;
+  AxisTelemetry telemetry_;
   NmtState nmt_ = NmtState::boot_up;
   DriveStatus status_;
   DriveMotion motion_;

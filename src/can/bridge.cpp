@@ -120,6 +120,11 @@ private:
   /// What comes from drives that have not been started anew since the bus was lost means nothing.
   bool is_talking() const { return link_.usable() && state_ != BridgeState::waiting; }
 
+  bool may_move() const
+  {
+    return state_ == BridgeState::enabling || state_ == BridgeState::enabled || state_ == BridgeState::stopping;
+  }
+
   void enter(BridgeState state, double now)
   {
     state_ = state;
@@ -162,8 +167,7 @@ private:
   void react(double now)
   {
     const Reaction reaction = log_.take_reaction();
-    const bool drives = state_ == BridgeState::enabling || state_ == BridgeState::enabled || state_ == BridgeState::stopping;
-    if (reaction == Reaction::note || (reaction == Reaction::stop && !drives)) return;
+    if (reaction == Reaction::note || (reaction == Reaction::stop && !may_move())) return;
     motion_.halt(now);
     if (state_ == BridgeState::fault) return;
     if (reaction == Reaction::stop) stop(StopProcedure::Kind::brake, BridgeState::stopping, now);
@@ -249,7 +253,8 @@ private:
     DriveDemand demand;
     demand.mode = motion_.mode();
     demand.motion = motion_.setpoint();
-    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) demand.steering = demand.driving = PowerGoal::on;
+    const bool on = state_ == BridgeState::enabling || state_ == BridgeState::enabled;
+    if (on) demand.steering = demand.driving = PowerGoal::on;
     if (stop_.phase() == StopProcedure::Phase::braking)
     {
       demand.steering = PowerGoal::keep;

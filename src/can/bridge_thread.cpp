@@ -115,7 +115,8 @@ private:
     if (!commands_.take(timed)) return connection_.flush(now);
     bridge_.command(timed.command, now);
     connection_.flush(now);
-    if (!connection_.is_blocked()) update_.delays.add(monotonic_now() - timed.given);
+    const bool sent = bridge_.wheels().state == BaseState::enabled && !connection_.is_blocked();
+    if (sent) update_.delays.add(monotonic_now() - timed.given);
   }
 
   void answer(double now)

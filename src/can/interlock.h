@@ -7,9 +7,9 @@
 namespace fourwis::can
 {
 
-/// Keeps wheels from turning while they roll and from rolling before they have turned. To another mode, or to angles far
-/// from those of the moment: brakes with the angles held, waits for standstill, turns the wheels, waits until they are
-/// aligned, drives.
+/// Keeps wheels from turning while they roll and from rolling before they have turned. To another mode, or to angles
+/// far from those of the moment: brakes with the angles held, waits for standstill, turns the wheels, waits until
+/// they are aligned, drives.
 class Interlock
 {
 public:

@@ -58,6 +58,13 @@ SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault refusal)
   return step;
 }
 
+/// 0: anything, but something.
+SdoStep expect_identity(ObjectId object, double number)
+{
+  const auto value = static_cast<std::uint32_t>(number);
+  return expect(value != 0 ? Kind::expect_equal : Kind::expect_bits, object, value, Fault::wrong_device);
+}
+
 std::uint32_t bit_of(OperationMode mode)
 {
   return 1u << (static_cast<int>(mode) - 1);
@@ -105,8 +112,8 @@ void add_watchdogs(SdoScript& script, const BridgeOptions& options)
   script.push_back(write({0x6007, 0}, kQuickStop, 2));
   script.push_back(write({0x1029, 1}, kBecomeStopped, 1));
   script.push_back(write({0x1017, 0}, milliseconds(options.heartbeat_period), 2));
-  script.push_back(write({0x1016, 1},
-                         static_cast<std::uint32_t>(options.master_node) << 16 | milliseconds(options.drive_watchdog), 4));
+  const auto master = static_cast<std::uint32_t>(options.master_node);
+  script.push_back(write({0x1016, 1}, master << 16 | milliseconds(options.drive_watchdog), 4));
 }
 
 void add_cycle_time(SdoScript& script, const BridgeOptions& options)
@@ -158,16 +165,16 @@ AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool s
 SdoScript identification_script(const BridgeOptions& options, bool steering)
 {
   SdoScript script;
-  const auto vendor = static_cast<std::uint32_t>(options.vendor_id), product = static_cast<std::uint32_t>(options.product_code);
-  script.push_back(expect(vendor != 0 ? Kind::expect_equal : Kind::expect_bits, {0x1018, 1}, vendor, Fault::wrong_device));
-  script.push_back(expect(product != 0 ? Kind::expect_equal : Kind::expect_bits, {0x1018, 2}, product, Fault::wrong_device));
+  script.push_back(expect_identity({0x1018, 1}, options.vendor_id));
+  script.push_back(expect_identity({0x1018, 2}, options.product_code));
   std::uint32_t modes = bit_of(working_mode(options, steering));
   if (steering && options.homing) modes |= bit_of(OperationMode::homing);
   script.push_back(expect(Kind::expect_bits, {0x6502, 0}, modes, Fault::mode_unsupported));
   return script;
 }
 
-SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering)
+SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
+                               bool steering)
 {
   const AxisScale scale = scale_of(options, axis, steering);
   const double steering_stop = robot.wheel_max_rate / kSteeringStopTime;

@@ -36,7 +36,8 @@ using SdoScript = std::vector<SdoStep>;
 SdoScript identification_script(const BridgeOptions& options, bool steering);
 
 /// Its PDOs, its watchdogs, its ramps and limits.
-SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering);
+SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
+                               bool steering);
 
 /// The mode it will work in.
 OperationMode working_mode(const BridgeOptions& options, bool steering);

@@ -7,8 +7,8 @@ namespace fourwis::can
 {
 
 /// Where the wheels are told to be at the moment, on the way to where they should be: no angle turns faster, no wheel
-/// accelerates harder or rolls faster than it may. The speeds of the four wheels change by one factor, so that they keep
-/// their proportions.
+/// accelerates harder or rolls faster than it may. The speeds of the four wheels change by one factor, so that they
+/// keep their proportions.
 class Setpoint
 {
 public:

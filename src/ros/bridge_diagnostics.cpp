@@ -1,5 +1,7 @@
 #include "fourwis_navigation/ros/bridge_diagnostics.h"
 
+#include <cmath>
+
 #include <ros/node_handle.h>
 
 namespace fourwis
@@ -110,6 +112,8 @@ void BridgeDiagnostics::report_axis(int index, DiagnosticStatusWrapper& status) 
   status.addf("last emergency", "0x%04x", axis.emergency);
   status.add(index < kWheels ? "angle [rad]" : "rolled [m]", axis.position);
   status.add(index < kWheels ? "rate [rad/s]" : "speed [m/s]", axis.speed);
+  if (std::isfinite(axis.voltage)) status.add("supply [V]", axis.voltage);
+  if (std::isfinite(axis.temperature)) status.add("temperature [deg C]", axis.temperature);
 }
 
 }  // namespace fourwis

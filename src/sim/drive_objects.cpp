@@ -104,6 +104,7 @@ void add_motion(ObjectDictionary& objects, const DriveOptions& options)
   objects.add({object::kPositionActual, 0}, status(4, kLow32));
   objects.add({object::kVelocityActual, 0}, status(4, kLow32));
   objects.add({object::kTorqueActual, 0}, status(2, -32768));
+  objects.add({object::kSupplyVoltage, 0}, constant(4, 48000));  // [mV]
   objects.add({object::kTargetPosition, 0}, command(4, kLow32, kHigh32));
   objects.add({object::kTargetVelocity, 0}, command(4, kLow32, kHigh32));
   objects.add({object::kFollowingWindow, 0}, setting(4, whole(options.following_window), 0, kMost32));

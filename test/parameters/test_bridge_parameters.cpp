@@ -52,6 +52,8 @@ Subject<BridgeOptions> subject_of()
                       {"driving_mode", [](const O& o) { return double(o.driving_mode); }},
                       {"vendor_id", [](const O& o) { return o.vendor_id; }},
                       {"product_code", [](const O& o) { return o.product_code; }},
+                      {"temperature_object", [](const O& o) { return o.temperature_object; }},
+                      {"temperature_unit", [](const O& o) { return o.temperature_unit; }},
                       {"homing", [](const O& o) { return double(o.homing); }},
                       {"homing_method", [](const O& o) { return double(o.homing_method); }},
                       {"ranger/side_slip_mode", [](const O& o) { return double(o.ranger.side_slip_mode); }},

@@ -125,6 +125,32 @@ TEST_F(BridgeStart, AStatuswordThatStaysWhatItIsIsFoundWhenThePowerIsSwitched)
   EXPECT_EQ(fastest_wheel(), 0.0);
 }
 
+BridgeOptions with_a_temperature()
+{
+  BridgeOptions options;
+  options.temperature_object = 0x101801;  // any that the drives have: 1018:1, their maker's number
+  options.temperature_unit = 0.001;
+  return options;
+}
+
+class Telemetry : public BridgeStart
+{
+protected:
+  Telemetry() : BridgeStart(with_a_temperature()) {}
+};
+
+TEST_F(Telemetry, IsAskedForWhileDriving)
+{
+  drive();
+  pass(2.0);
+  for (const can::AxisReport& axis : bridge.report().axes)
+  {
+    EXPECT_NEAR(axis.voltage, 48.0, 1e-9);
+    EXPECT_NEAR(axis.temperature, 1e-3 * sim::DriveOptions().vendor, 1e-9);
+  }
+  EXPECT_EQ(stage(), BridgeStage::enabled) << cause();
+}
+
 BridgeOptions with_other_vendor()
 {
   BridgeOptions options;
@@ -269,7 +295,10 @@ TEST(BridgeTwice, TheSameCallsGiveTheSameFrames)
   second.TestBody();
   ASSERT_EQ(first.spy.sent.size(), second.spy.sent.size());
   for (std::size_t i = 0; i < first.spy.sent.size(); ++i)
-    ASSERT_TRUE(first.spy.sent[i].frame == second.spy.sent[i].frame && first.spy.sent[i].time == second.spy.sent[i].time);
+  {
+    ASSERT_EQ(first.spy.sent[i].frame, second.spy.sent[i].frame);
+    ASSERT_EQ(first.spy.sent[i].time, second.spy.sent[i].time);
+  }
 }
 
 }  // namespace

@@ -10,11 +10,11 @@
 namespace fourwis::can
 {
 
-/// Drives a base over a bus: from wheel commands to frames and from frames to wheel states. Starts the drives, moves them
-/// only between enable() and whatever goes wrong first, stops them by itself, and never starts them again by itself.
-/// Knows neither a clock nor a bus: time is an argument (monotonic, [s]), frames come in by receive() and leave by the
-/// outbox, which is to be flushed after every call. The same calls give the same frames. One thread; after construction
-/// nothing allocates or throws.
+/// Drives a base over a bus: from wheel commands to frames and from frames to wheel states. Starts the drives, moves
+/// them only between enable() and whatever goes wrong first, stops them by itself, and never starts them again by
+/// itself. Knows neither a clock nor a bus: time is an argument (monotonic, [s]), frames come in by receive() and
+/// leave by the outbox, which is to be flushed after every call. The same calls give the same frames. One thread;
+/// after construction nothing allocates or throws.
 class Bridge
 {
 public:

@@ -60,8 +60,8 @@ struct RangerOptions
   bool spin_by_speed = false;  ///< spin is commanded as the wheels' speed in the lateral field; Mini V2
 };
 
-/// The base and how it is driven; the keys of config/can_bridge.yaml. What the wheels can do is in Robot: travel, steering
-/// rate, speed.
+/// The base and how it is driven; the keys of config/can_bridge.yaml. What the wheels can do is in Robot: travel,
+/// steering rate, speed.
 struct BridgeOptions
 {
   std::string interface = "can0";  ///< see open_bus()
@@ -77,6 +77,8 @@ struct BridgeOptions
   DrivingMode driving_mode = DrivingMode::cyclic;
   double vendor_id = 0.0;      ///< that every drive must have (1018:1); 0: any
   double product_code = 0.0;   ///< that every drive must have (1018:2); 0: any
+  double temperature_object = 0.0;  ///< of the maker's own, index << 8 | sub-index; 0: none
+  double temperature_unit = 1.0; ///< what its value counts in [deg C]
   bool homing = false;         ///< steering drives find their zero before the first motion after a start
   int homing_method = 35;      ///< object 6098; 35: where it is, is zero
 

@@ -29,8 +29,8 @@ struct BridgeUpdate
 class BridgeThread
 {
 public:
-  /// Begins at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws std::invalid_argument where options
-  /// contradict each other.
+  /// Begins at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws std::invalid_argument where
+  /// options contradict each other.
   BridgeThread(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority);
 
   /// Ends at once, whatever the wheels do: stop() before. The drives' own watchdogs are the last to stop them.

@@ -5,8 +5,8 @@
 
 #include "fourwis_navigation/can/frame.h"
 
-/// CANopen drives, CiA 402: states, the words that move a drive between them, and the cyclic messages in our mapping. Pure
-/// bytes and pure functions.
+/// CANopen drives, CiA 402: states, the words that move a drive between them, and the cyclic messages in our mapping.
+/// Pure bytes and pure functions.
 namespace fourwis::can
 {
 
@@ -57,8 +57,8 @@ enum class PowerGoal : std::uint8_t
 /// The controlword that brings a drive one state nearer to its goal. Never resets a fault.
 std::uint16_t controlword(DriveState state, PowerGoal goal);
 
-/// The bits that make a drive in profile position mode take the newest target at once: a rising edge of `new_set_point`,
-/// again whenever the drive has acknowledged the one before.
+/// The bits that make a drive in profile position mode take the newest target at once: a rising edge of
+/// `new_set_point`, again whenever the drive has acknowledged the one before.
 std::uint16_t set_point_bits(std::uint16_t statusword);
 
 /// Object 6060.

@@ -81,11 +81,12 @@ struct FaultRecord
   bool exists() const { return fault != Fault::count; }
 };
 
-/// "driving rear_left: emergency_message 0x8130", "steering front_left: sdo_abort 0x6040041 (the object cannot be mapped) at
-/// 1600:01"; empty for a record that does not exist.
+/// "driving rear_left: emergency_message 0x8130", "steering front_left: sdo_abort 0x6040041 (the object cannot be
+/// mapped) at 1600:01"; empty for a record that does not exist.
 std::string text_of(const FaultRecord& record);
 
-/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No allocation.
+/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No
+/// allocation.
 class FaultLog
 {
 public:
