@@ -7,8 +7,8 @@ namespace
 
 /// Between two attempts to open a bus that is down [s].
 constexpr double kRecoverPeriod = 0.1;
-/// Frames taken at once: some 25 ms of a full real bus. Whoever sends faster must not keep the bridge from its cycle.
-constexpr int kMostFrames = 500;
+/// So many frames are received before somebody else has a turn: a flood must not keep the cycle from its time.
+constexpr int kMostAtOnce = 256;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void BridgeConnection::receive(double now)
   if (!up_) return;
   BusStatus status = BusStatus::ok;
   Frame frame;
-  for (int i = 0; i < kMostFrames && (status = bus_.receive(frame)) == BusStatus::ok; ++i)
+  for (int i = 0; i < kMostAtOnce && (status = bus_.receive(frame)) == BusStatus::ok; ++i)
   {
     bridge_.receive(frame, now);
     flush(now);

@@ -106,12 +106,6 @@ Reaction FaultLog::take_reaction()
   return std::exchange(pending_, Reaction::note);
 }
 
-bool FaultLog::has(Fault fault) const
-{
-  return std::any_of(reported_.begin(), reported_.end(),
-                     [&](const auto& reported) { return reported[static_cast<std::size_t>(fault)]; });
-}
-
 void FaultLog::clear()
 {
   for (auto& reported : reported_) reported.reset();

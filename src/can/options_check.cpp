@@ -50,9 +50,8 @@ void check_homing(const BridgeOptions& options)
 
 void check_cycle_time(double cycle_time)
 {
-  refuse(!(cycle_time > 0.0), "cycle_time is not positive");
   const double milliseconds = cycle_time * 1e3;
-  refuse(std::abs(milliseconds - std::round(milliseconds)) > 1e-6,
+  refuse(!(milliseconds > 0.5 && std::abs(milliseconds - std::round(milliseconds)) < 1e-6),
          "cycle_time is " + std::to_string(cycle_time) + " s, expected whole milliseconds");
 }
 

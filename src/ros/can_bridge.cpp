@@ -36,7 +36,14 @@ CanBridge::CanBridge(const CanBridgeParameters& parameters)
   advertise("enable", [this] { return enable(); });
   advertise("disable", [this] { return disable(); });
   advertise("clear_faults", [this] { return bridge_.clear_faults(); });
+  subscribe();
+  publisher_ = std::thread([this] { publish_updates(); });
+}
+
+void CanBridge::subscribe()
+{
   ros::NodeHandle node;
+  node.setCallbackQueue(&command_queue_);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // A queue of one: an older command is worth nothing.
   commands_ = node.subscribe<fourwis_navigation::WheelCommands>(
@@ -45,7 +52,7 @@ CanBridge::CanBridge(const CanBridgeParameters& parameters)
   emergency_stop_ = node.subscribe<std_msgs::Bool>(
     "emergency_stop", 1, [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); },
     nullptr, hints);
-  publisher_ = std::thread([this] { publish_updates(); });
+  command_spinner_.start();
 }
 
 CanBridge::~CanBridge()
@@ -81,11 +88,16 @@ void CanBridge::publish_updates()
 
 void CanBridge::publish(const BridgeUpdate& update)
 {
-  const ros::Duration age(can::monotonic_now() - update.wheels.stamp);
   const ros::Time now = ros::Time::now();
-  // Nothing has been measured yet; or simulated time has not begun.
-  if (update.wheels.stamp == 0.0 || now.toSec() <= age.toSec()) return;
-  topics_.publish(now - age, update.wheels, explanation(update.report));
+  if (now.isZero()) return;  // simulated time has not begun
+  const double age = can::monotonic_now() - update.wheels.stamp;
+  WheelState wheels = update.wheels;
+  // Without anything new from the wheels there is no odometry, but still a state to be told.
+  const bool is_new = wheels.stamp > measured_ && now.toSec() > age;
+  if (!is_new) wheels.motion.speed = {};
+  topics_.set_silence({!is_new, false});
+  topics_.publish(is_new ? now - ros::Duration(age) : now, wheels, explanation(update.report));
+  measured_ = wheels.stamp;
 }
 
 std::string CanBridge::enable()

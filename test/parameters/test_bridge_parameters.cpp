@@ -108,8 +108,8 @@ TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
   refused([](BridgeOptions& o) { o.master_node = 8; });
   refused([](BridgeOptions& o) { o.drive_watchdog = o.heartbeat_period; });
   refused([](BridgeOptions& o) { o.heartbeat_timeout = 0.01; });
+  refused([](BridgeOptions& o) { o.cycle_time = 0.0105; });
   refused([](BridgeOptions& o) { o.feedback_timeout = o.cycle_time; });
-  refused([](BridgeOptions& o) { o.cycle_time = 0.0025; });
   // A heartbeat leaves with a cycle: 80 ms apart, and a cycle later where it is late.
   refused([](BridgeOptions& o) { o.cycle_time = 0.04, o.feedback_timeout = 0.1; });
   refused([](BridgeOptions& o) { o.heartbeat_timeout = 1.5 * o.heartbeat_period; });

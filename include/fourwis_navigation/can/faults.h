@@ -101,8 +101,6 @@ public:
   const FaultRecord& cause() const { return cause_; }
   /// The newest, also from before the last clear(); [0] is the last one.
   const std::array<FaultRecord, kKept>& history() const { return history_; }
-  /// Whether it was reported since the last clear().
-  bool has(Fault fault) const;
 
   void clear();
 

@@ -5,8 +5,10 @@
 #include <thread>
 #include <vector>
 
+#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
+#include <ros/spinner.h>
 #include <ros/subscriber.h>
 
 #include "fourwis_navigation/WheelCommands.h"
@@ -18,8 +20,8 @@ namespace fourwis
 {
 
 /// The bridge's node: `wheel_commands`, `emergency_stop` and the services `~enable`, `~disable`, `~clear_faults` to the
-/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Spin it with two threads:
-/// services wait for the drives.
+/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Commands have a thread of their
+/// own; spin the rest with more than one: services wait for the drives.
 class CanBridge
 {
 public:
@@ -30,6 +32,7 @@ public:
   void stop();
 
 private:
+  void subscribe();
   void on_command(const fourwis_navigation::WheelCommands& message);
   void publish_updates();
   void publish(const can::BridgeUpdate& update);
@@ -43,7 +46,10 @@ private:
   BaseTopics topics_;
   BridgeDiagnostics diagnostics_;
   std::vector<ros::ServiceServer> services_;
+  ros::CallbackQueue command_queue_;
   ros::Subscriber commands_, emergency_stop_;
+  ros::AsyncSpinner command_spinner_{1, &command_queue_};
+  double measured_ = 0.0;  ///< when what was published last was measured, monotonic [s]
   std::atomic<bool> end_{false};
   std::thread publisher_;
 };
