@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Sends the robot to one goal after the other and prints, for each, how long it was planned to take, how long it took, and how
-well the trajectory was tracked. Exits with 1 when a goal is not reached.
+"""Sends the robot to one goal after the other and prints, for each, how long it was planned to take, how long it took, and
+how well the trajectory was tracked. Exits with 1 when a goal is not reached.
 
   drive_tour.py X,Y,YAW...      in the frame `map` [m], [deg]
 """

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "setpoint.h"
+
 namespace fourwis::can
 {
 namespace
@@ -13,6 +15,8 @@ constexpr double kListenTime = 0.1, kAskPeriod = 0.1;
 constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
 /// Commands are not sent more often, but for stops; the base wants them every 20 ms [s].
 constexpr double kCommandPeriod = 0.015;
+/// It stands when all wheels are slower [m/s].
+constexpr double kStands = 0.01;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// Where the vehicle's state is a failure, and the identifiers of who else might command it.
 constexpr std::uint8_t kFailure = 2;
@@ -106,6 +110,11 @@ void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
   told_to_move_ = moves;
   if (demand.mode != Mode::none) outbox.put(encode_ranger_mode(kinematics_.base_mode(demand.mode)));
   outbox.put(encode_ranger_motion(motion));
+}
+
+bool RangerBase::rolls() const
+{
+  return fastest(measured_.speed) > kStands;
 }
 
 AxisReport RangerBase::axis(int axis) const

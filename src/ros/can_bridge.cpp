@@ -23,7 +23,7 @@ constexpr double kReserve = 1.0;
 /// How long the publisher waits for a cycle before it looks whether it is to end [s].
 constexpr double kPatience = 0.2;
 
-/// A pulse must not push out its own beginning.
+/// So that a release of the emergency stop does not push out its press.
 constexpr std::uint32_t kEmergencyStopQueue = 100;
 
 bool is_enabling(BridgeStage stage)
@@ -46,17 +46,10 @@ CanBridge::CanBridge(const CanBridgeParameters& parameters)
   publisher_ = std::thread([this] { publish_updates(); });
 }
 
-CanBridge::~CanBridge()
-{
-  urgent_spinner_.stop();
-  end_ = true;
-  publisher_.join();
-}
-
 void CanBridge::subscribe()
 {
   ros::NodeHandle node;
-  node.setCallbackQueue(&urgent_);
+  node.setCallbackQueue(&command_queue_);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // A queue of one: an older command is worth nothing.
   commands_ = node.subscribe<fourwis_navigation::WheelCommands>(
@@ -65,7 +58,13 @@ void CanBridge::subscribe()
   emergency_stop_ = node.subscribe<std_msgs::Bool>(
     "emergency_stop", kEmergencyStopQueue,
     [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); }, nullptr, hints);
-  urgent_spinner_.start();
+  command_spinner_.start();
+}
+
+CanBridge::~CanBridge()
+{
+  end_ = true;
+  publisher_.join();
 }
 
 void CanBridge::end()
@@ -105,11 +104,16 @@ void CanBridge::publish_updates()
 
 void CanBridge::publish(const BridgeUpdate& update)
 {
-  const ros::Duration age(can::monotonic_now() - update.wheels.stamp);
   const ros::Time now = ros::Time::now();
-  // Nothing has been measured yet; or simulated time has not begun.
-  if (update.wheels.stamp == 0.0 || now.toSec() <= age.toSec()) return;
-  topics_.publish(now - age, update.wheels, explanation(update.report));
+  if (now.isZero()) return;  // simulated time has not begun
+  const double age = can::monotonic_now() - update.wheels.stamp;
+  WheelState wheels = update.wheels;
+  // Without anything new from the wheels there is no odometry, but still a state to be told.
+  const bool is_new = wheels.stamp > measured_ && now.toSec() > age;
+  if (!is_new) wheels.motion.speed = {};
+  topics_.set_silence({!is_new, false});
+  topics_.publish(is_new ? now - ros::Duration(age) : now, wheels, explanation(update.report));
+  measured_ = wheels.stamp;
 }
 
 std::string CanBridge::enable()

@@ -16,13 +16,12 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What is to begin later than this comes from somebody with another clock [s].
-constexpr double kLongestWait = 10.0;
+/// A trajectory that is to begin later than this comes from somebody with another clock [s]. A stop that is does not wait.
+constexpr double kLongestWait = 10.0, kLongestWaitOfStop = 1.0;
 
-/// A stop never waits for somebody else's clock.
 bool is_due(const ros::Time& stamp, bool stop, const ros::Time& now)
 {
-  return stamp <= now || (stop && stamp.toSec() - now.toSec() > kLongestWait);
+  return stamp <= now || (stop && stamp.toSec() - now.toSec() > kLongestWaitOfStop);
 }
 
 }  // namespace
@@ -56,7 +55,7 @@ void ControlLoop::check(const std_msgs::Header& header) const
            parameters_.node.global_frame, "'");
   if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
-    refuse("trajectory: was planned ", (first_ - header.stamp).toSec(), " s before the controller started");
+    refuse("trajectory: was planned ", first_.toSec() - header.stamp.toSec(), " s before the controller started");
   if (const double wait = header.stamp.toSec() - newest_.toSec(); wait > kLongestWait)
     refuse("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ", kLongestWait, " s");
 }
@@ -79,9 +78,10 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
 std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 {
   const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
-  if (first_.isZero() || (now - newest_).toSec() <= patience) return std::nullopt;
-  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string((now - newest_odometry_).toSec()) +
-             " s and " + std::to_string((now - newest_wheel_states_).toSec()) + " s old";
+  const auto age = [&](const ros::Time& stamp) { return now.toSec() - stamp.toSec(); };
+  if (first_.isZero() || age(newest_) <= patience) return std::nullopt;
+  problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string(age(newest_odometry_)) + " s and " +
+             std::to_string(age(newest_wheel_states_)) + " s old";
   return step(now);
 }
 

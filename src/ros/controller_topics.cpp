@@ -1,5 +1,7 @@
 #include "fourwis_navigation/ros/controller_topics.h"
 
+#include <cmath>
+
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
 #include <ros/console.h>
@@ -15,8 +17,8 @@ namespace
 
 using fourwis_navigation::Tracking;
 
-/// The eye wants no more of prediction and marker.
-const ros::Duration kPicturePeriod(0.1);
+/// The eye wants no more of prediction and marker [s].
+constexpr double kPicturePeriod = 0.1;
 
 }  // namespace
 
@@ -56,7 +58,7 @@ void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking
   wheel_commands_.publish(to_message(output.command, step.stamp));
   cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
   tracking_.publish(tracking);
-  if (step.stamp >= shown_ && step.stamp - shown_ < kPicturePeriod) return;
+  if (std::abs(step.stamp.toSec() - shown_.toSec()) < kPicturePeriod) return;
   shown_ = step.stamp;
   marker_.publish(tracking_marker(tracking, robot_base_frame_));
   publish_prediction(step.stamp, prediction);

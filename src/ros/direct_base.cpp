@@ -45,8 +45,8 @@ void DirectBase::publish(const ros::Time& stamp)
 
 bool DirectBase::answered(const ros::Time& now) const
 {
-  if (lockstep_period_.isZero() || ros::WallTime::now() - heard_ > kPatience) return true;
-  return now - commanded_ < lockstep_period_;
+  if (lockstep_period_ == 0.0 || ros::WallTime::now() - heard_ > kPatience) return true;
+  return now.toSec() - commanded_.toSec() < lockstep_period_;
 }
 
 void DirectBase::on_command(const fourwis_navigation::WheelCommands& message)

@@ -46,8 +46,8 @@ void IdealLocalization::on_initial_pose(const geometry_msgs::PoseWithCovarianceS
   try
   {
     if (message.header.frame_id != global_frame_)
-      refuse("initialpose: header.frame_id is '", message.header.frame_id, "', expected global_frame = '", global_frame_,
-             "'");
+      refuse("initialpose: header.frame_id is '", message.header.frame_id, "', expected global_frame = '",
+             global_frame_, "'");
     place_(to_pose(message.pose.pose, "initialpose"));
   }
   catch (const ConversionError& error)

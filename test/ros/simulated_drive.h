@@ -66,7 +66,7 @@ protected:
   /// Returns when the robot is fast on the trajectory.
   void wait_for_motion(const ros::Time& trajectory)
   {
-    ASSERT_TRUE(wait_for_tracking([&](const Tracking& t) { return t.trajectory == trajectory && std::abs(t.speed) > 0.5; }));
+    ASSERT_TRUE(wait_for_tracking([&](const Tracking& t) { return t.trajectory == trajectory && t.speed > 0.5; }));
   }
   /// Returns when the robot has not really moved for a while.
   void wait_for_rest()
@@ -76,8 +76,9 @@ protected:
       {
         const auto poses = truth_.messages();
         const auto now = poses.rbegin();
-        const auto before = std::find_if(now, poses.rend(), [&](const auto& earlier)
-                                         { return (*now)->header.stamp - earlier->header.stamp >= ros::Duration(0.3); });
+        const auto is_a_while_ago = [&](const auto& pose)
+        { return (*now)->header.stamp - pose->header.stamp >= ros::Duration(0.3); };
+        const auto before = std::find_if(now, poses.rend(), is_a_while_ago);
         return before != poses.rend() &&
                distance(to_pose((*now)->pose, "now"), to_pose((*before)->pose, "before")) < 1e-4;
       }));
@@ -111,8 +112,6 @@ protected:
 
   Inbox<Tracking> tracking_{"mpc_controller/tracking"};
   Inbox<geometry_msgs::PoseStamped> truth_{"base_simulator/pose"};
-
-private:
   ros::Publisher place_ = ros::NodeHandle().advertise<geometry_msgs::PoseWithCovarianceStamped>("initialpose", 10);
 };
 

@@ -17,7 +17,8 @@ using States = fourwis_navigation::WheelStates;
 
 Trajectory two_points()
 {
-  return {{0.0, Mode::lateral, 1.0, 2.0, 3.0, 0.0, 0.1, 0.5, 0.2}, {2.0, Mode::lateral, 1.0, 3.0, 3.1, 1.0, 0.5, 0.0, 0.0}};
+  return {{0.0, Mode::lateral, 1.0, 2.0, 3.0, 0.0, 0.1, 0.5, 0.2},
+          {2.0, Mode::lateral, 1.0, 3.0, 3.1, 1.0, 0.5, 0.0, 0.0}};
 }
 
 WheelCommand some_command()

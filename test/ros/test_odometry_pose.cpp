@@ -71,13 +71,21 @@ TEST_F(OdometryPoseTest, the_newest_localisation_stands_in_until_it_is_too_old)
 {
   localize({1, 0, 0}, 10.0);
   expect_at(odometry({}, 10.4), {1, 0, 0});
-  EXPECT_TRUE(says(refusal(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5 s"));
+  EXPECT_TRUE(says(refusal(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5"));
 }
 
 TEST_F(OdometryPoseTest, a_localisation_that_dates_ahead_will_do_from_the_first_one_on)
 {
   localize({1, 0, 0}, 10.1);
   expect_at(odometry({}, 10.0), {1, 0, 0});
+}
+
+TEST_F(OdometryPoseTest, a_stamp_of_no_sense_is_refused_like_an_old_one)
+{
+  localize({1, 0, 0}, 10.0);
+  nav_msgs::Odometry message = odometry({}, 10.0);
+  message.header.stamp = ros::Time(4294967295u, 999999999u);
+  EXPECT_TRUE(says(refusal(message), "older than odom"));
 }
 
 TEST_F(OdometryPoseTest, without_localisation_there_is_no_pose)

@@ -16,8 +16,8 @@
 namespace fourwis
 {
 
-/// Everything that a base says of itself, computed from what its wheels do: `wheel_states`, `odom` of the same stamp with
-/// covariances, the transform of the robot in the odom frame, and `joint_states` for the robot's model.
+/// Everything that a base says of itself, computed from what its wheels do: `wheel_states`, `odom` of the same stamp
+/// with covariances, the transform of the robot in the odom frame, and `joint_states` for the robot's model.
 class BaseTopics
 {
 public:

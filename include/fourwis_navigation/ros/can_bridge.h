@@ -21,8 +21,8 @@ namespace fourwis
 {
 
 /// The bridge's node: `wheel_commands`, `emergency_stop` and the services `~enable`, `~disable`, `~clear_faults` to the
-/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Spin it with two threads for
-/// the services, which wait for the drives; both topics have a thread of their own.
+/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Both topics have a thread of
+/// their own; spin the rest with two: services wait for the drives.
 class CanBridge
 {
 public:
@@ -40,8 +40,8 @@ private:
   void publish(const can::BridgeUpdate& update);
   void stop();
   std::string enable();
-  std::string disable();
   std::string ask_to_enable();
+  std::string disable();
   void advertise(const std::string& name, const std::function<std::string()>& action);
 
   const can::BridgeOptions options_;
@@ -50,9 +50,10 @@ private:
   BaseTopics topics_;
   BridgeDiagnostics diagnostics_;
   std::vector<ros::ServiceServer> services_;
-  ros::CallbackQueue urgent_;  ///< what must not wait for services
+  ros::CallbackQueue command_queue_;
   ros::Subscriber commands_, emergency_stop_;
-  ros::AsyncSpinner urgent_spinner_{1, &urgent_};
+  ros::AsyncSpinner command_spinner_{1, &command_queue_};
+  double measured_ = 0.0;  ///< when what was published last was measured, monotonic [s]
   std::mutex enabling_;
   bool ending_ = false;  ///< guarded by `enabling_`
   std::atomic<bool> end_{false};

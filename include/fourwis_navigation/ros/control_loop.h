@@ -28,9 +28,9 @@ struct ControlStep
   double solve_ms = 0.0;  ///< time of the whole step
 };
 
-/// The controller's node without its topics: judges trajectories, and steps the tracker whenever odometry and wheel states of
-/// one stamp say that it is time. Its clock is their stamps, so that recorded messages give the recorded commands. To be
-/// called from one thread.
+/// The controller's node without its topics: judges trajectories, and steps the tracker whenever odometry and wheel
+/// states of one stamp say that it is time. Its clock is their stamps, so that recorded messages give the recorded
+/// commands. To be called from one thread.
 class ControlLoop
 {
 public:
@@ -40,9 +40,9 @@ public:
   /// `tf` must outlive this.
   ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
 
-  /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. Refused: one in another
-  /// frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over from
-  /// somebody else's drive) or far ahead of the newest.
+  /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. Refused: one in
+  /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over
+  /// from somebody else's drive) or far ahead of the newest.
   void take(const fourwis_navigation::ModeTrajectory& trajectory);
 
   /// Two messages of one stamp. Empty when it is not time for a step yet.
@@ -53,8 +53,8 @@ public:
   void heard_odometry(const ros::Time& stamp) { newest_odometry_ = stamp; }
   void heard_wheel_states(const ros::Time& stamp) { newest_wheel_states_ = stamp; }
 
-  /// Steps on what was measured last once that is older than the tracker accepts, so that it stops. Empty otherwise, and
-  /// before the first measurement.
+  /// Steps on what was measured last once that is older than the tracker accepts, so that it stops. Empty otherwise,
+  /// and before the first measurement.
   std::optional<ControlStep> watch(const ros::Time& now);
 
   const std::vector<Pose>& prediction() const { return tracker_->prediction(); }

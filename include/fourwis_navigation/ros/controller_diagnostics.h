@@ -11,8 +11,8 @@
 namespace fourwis
 {
 
-/// On `/diagnostics`: what the controller is doing and how well, WARN where it stops or fails for a reason or refused the
-/// last trajectory.
+/// On `/diagnostics`: what the controller is doing and how well, WARN where it stops or fails for a reason or refused
+/// the last trajectory.
 class ControllerDiagnostics
 {
 public:

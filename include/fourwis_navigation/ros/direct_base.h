@@ -30,7 +30,7 @@ public:
 private:
   void on_command(const fourwis_navigation::WheelCommands& message);
 
-  const ros::Duration lockstep_period_;
+  const double lockstep_period_;  ///< [s]
   BaseSimulator& simulator_;
   BaseTopics topics_;
   ros::Time commanded_;       ///< stamp of the newest command

@@ -52,7 +52,7 @@ struct BaseSimulatorNodeOptions
   double transform_tolerance = 0.1;    ///< how far ahead the ideal localisation dates its transform [s]
   bool publish_clock = true;           ///< whether its time is everybody's
   double real_time_factor = 1.0;       ///< how much faster than real time, where it publishes the clock
-  double lockstep_period = 0.02;       ///< likewise, time waits until the controller's newest command is younger [s]; 0: never
+  double lockstep_period = 0.02;       ///< then time waits for commands younger than this [s]; 0: never
   Pose initial;                        ///< where the robot is at first
 };
 

@@ -14,8 +14,8 @@
 namespace fourwis
 {
 
-/// Knows where the simulated robot really is: publishes `~pose` and, in place of a localisation, the transform that makes up
-/// for the odometry's errors, dated ahead as amcl does. `initialpose` puts the robot elsewhere.
+/// Knows where the simulated robot really is: publishes `~pose` and, in place of a localisation, the transform that
+/// makes up for the odometry's errors, dated ahead as amcl does. `initialpose` puts the robot elsewhere.
 class IdealLocalization
 {
 public:

@@ -10,8 +10,8 @@
 namespace fourwis
 {
 
-/// Where the robot is in the global frame when an odometry message says where it is in the odometry's: the localisation's
-/// transform between the two at the message's stamp, composed with the message's pose.
+/// Where the robot is in the global frame when an odometry message says where it is in the odometry's: the
+/// localisation's transform between the two at the message's stamp, composed with the message's pose.
 class OdometryPose
 {
 public:
@@ -19,8 +19,8 @@ public:
   OdometryPose(std::string global_frame, std::string robot_base_frame, double transform_tolerance,
                const tf2::BufferCore& tf);
 
-  /// Never waits; where the localisation lags behind the odometry, its newest transform stands in. Throws ConversionError
-  /// with a sentence for the user when there is none, or the message makes no sense.
+  /// Never waits; where the localisation lags behind the odometry, its newest transform stands in. Throws
+  /// ConversionError with a sentence for the user when there is none, or the message makes no sense.
   Pose at(const nav_msgs::Odometry& odometry) const;
 
 private:

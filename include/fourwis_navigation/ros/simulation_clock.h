@@ -12,7 +12,8 @@
 namespace fourwis
 {
 
-/// Calls for the simulation's cycles: in the time that everybody has, or in a time of its own that it publishes on /clock.
+/// Calls for the simulation's cycles: in the time that everybody has, or in a time of its own that it publishes on
+/// /clock.
 class SimulationClock
 {
 public:
