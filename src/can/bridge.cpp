@@ -35,10 +35,10 @@ public:
     react(now);
   }
 
-  void command(const WheelCommand& command, double now)
+  void command(const WheelCommand& command, double made, double now)
   {
     if (state_ != BridgeState::enabled) return;
-    if (take(command, now) && !sent_between_cycles_)
+    if (take(command, made, now) && !sent_between_cycles_)
     {
       sent_between_cycles_ = true;
       motion_.follow(protocol_->measured(), now);
@@ -56,7 +56,8 @@ public:
 
   const char* enable(double now)
   {
-    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) return nullptr;
+    if (state_ == BridgeState::enabled) return nullptr;
+    if (state_ == BridgeState::enabling) return "already being enabled";
     if (state_ == BridgeState::fault) return "in fault: clear the faults first";
     if (state_ == BridgeState::stopping) return "still stopping";
     if (state_ != BridgeState::ready) return "the drives are not ready yet";
@@ -147,9 +148,9 @@ private:
   }
 
   /// Whether it is to be followed.
-  bool take(const WheelCommand& command, double now)
+  bool take(const WheelCommand& command, double made, double now)
   {
-    const CommandWatch::Verdict verdict = motion_.take(command, now);
+    const CommandWatch::Verdict verdict = motion_.take(command, made, now);
     if (verdict == CommandWatch::Verdict::overtaken) ++overtaken_;
     if (verdict == CommandWatch::Verdict::invalid) log_.report(Fault::invalid_command, kNoAxis, 0, now);
     if (verdict != CommandWatch::Verdict::taken) return false;
@@ -309,7 +310,10 @@ Bridge::~Bridge() = default;
 
 void Bridge::set_link(bool up, double now) { implementation_->set_link(up, now); }
 void Bridge::receive(const Frame& frame, double now) { implementation_->receive(frame, now); }
-void Bridge::command(const WheelCommand& command, double now) { implementation_->command(command, now); }
+void Bridge::command(const WheelCommand& command, double made, double now)
+{
+  implementation_->command(command, made, now);
+}
 void Bridge::press_emergency_stop(bool pressed, double now) { implementation_->press_emergency_stop(pressed, now); }
 const char* Bridge::enable(double now) { return implementation_->enable(now); }
 const char* Bridge::disable(double now) { return implementation_->disable(now); }

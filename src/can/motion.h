@@ -22,7 +22,10 @@ public:
   /// The wheels are told to be where they are, at rest.
   void hold(const WheelMotion& measured, double now);
 
-  CommandWatch::Verdict take(const WheelCommand& command, double now) { return commands_.take(command, now); }
+  CommandWatch::Verdict take(const WheelCommand& command, double made, double now)
+  {
+    return commands_.take(command, made, now);
+  }
 
   /// Nearer to the newest command.
   void follow(const WheelMotion& measured, double now);
