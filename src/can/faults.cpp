@@ -91,7 +91,7 @@ std::string text_of(const FaultRecord& record)
 void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object)
 {
   auto reported = reported_.at(static_cast<std::size_t>(axis + 1))[static_cast<std::size_t>(fault)];
-  if (reported) return;
+  if (reported && reaction(fault) != Reaction::restart) return;
   reported = true;
 
   const FaultRecord record{fault, axis, detail, object, now};

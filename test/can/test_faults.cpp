@@ -41,6 +41,16 @@ TEST(FaultLog, TellsAFaultOfAnAxisOnceUntilItIsCleared)
   EXPECT_EQ(log.take_reaction(), Reaction::latch);
 }
 
+TEST(FaultLog, TellsEachTimeThatTheBusIsLost)
+{
+  FaultLog log;
+  for (const Fault lost : {Fault::link_down, Fault::bus_off, Fault::link_down})
+  {
+    log.report(lost, kNoAxis, 0, 1.0);
+    EXPECT_EQ(log.take_reaction(), Reaction::restart);
+  }
+}
+
 TEST(FaultLog, TheCauseIsTheFirstOfTheStrongestAndTheHistoryHasTheNewestFirst)
 {
   FaultLog log;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,10 @@ protected:
   bool wait_for_state(std::uint8_t state)
   {
     return wait_for_states([state](const WheelStates& s) { return s.state == state; });
+  }
+  bool wait_for_message(const std::string& message)
+  {
+    return wait_for_states([&](const WheelStates& s) { return s.message == message; });
   }
   bool wait_for_rest()
   {
@@ -133,6 +138,45 @@ TEST_F(CanBridgeNode, the_emergency_stop_stops_it_and_forbids_to_enable_it)
   EXPECT_FALSE(refusal.success);
   EXPECT_EQ(refusal.message, "the emergency stop is pressed");
   press_emergency_stop(false);
+  drive();
+}
+
+TEST_F(CanBridgeNode, a_press_of_the_emergency_stop_that_is_released_at_once_stops_it)
+{
+  drive();
+  press_emergency_stop(true);
+  press_emergency_stop(false);
+  EXPECT_TRUE(wait_for_message("not enabled: base: emergency_stop"));
+}
+
+TEST_F(CanBridgeNode, the_emergency_stop_does_not_wait_for_those_who_wait_for_the_drives)
+{
+  ASSERT_TRUE(wait_for_state(WheelStates::READY));
+  inject("status_frozen", 7, 0);  // it will never say that it is switched on
+  std::thread first([this] { call("enable"); }), second([this] { call("enable"); });
+  EXPECT_TRUE(wait_for_message("enabling"));
+  press_emergency_stop(true);
+  first.join();
+  second.join();
+  wheel_states_.clear();
+  EXPECT_TRUE(wait_for_message("not enabled, emergency stop pressed: base: emergency_stop"));
+  press_emergency_stop(false);
+}
+
+TEST_F(CanBridgeNode, commands_of_impossible_stamps_are_not_taken)
+{
+  drive();
+  WheelCommands wild;
+  wild.header.stamp.sec = 0xFFFFFFFF;
+  commands_.publish(wild);
+  const auto counted = [](const DiagnosticArray& array)
+  {
+    for (const DiagnosticStatus& status : array.status)
+      for (const auto& value : status.values)
+        if (value.key == "late commands" && value.value != "0") return true;
+    return false;
+  };
+  EXPECT_TRUE(diagnostics_.wait_for(counted));
   drive();
 }
 

@@ -86,6 +86,17 @@ TEST_F(BridgeInItsThread, SaysWhyItRefuses)
   EXPECT_EQ(bridge_.enable(), "");
 }
 
+TEST_F(BridgeInItsThread, StopsForAnEmergencyStopThatIsReleasedBeforeItCouldLook)
+{
+  wanted_.mode = Mode::ackermann;
+  ASSERT_TRUE(enable()) << text_of(update_.report.cause);
+  bridge_.press_emergency_stop(true);
+  bridge_.press_emergency_stop(false);
+  ASSERT_TRUE(follow_until(BridgeStage::ready));
+  EXPECT_EQ(update_.report.cause.fault, can::Fault::emergency_stop) << text_of(update_.report.cause);
+  EXPECT_FALSE(update_.report.emergency_stop);
+}
+
 TEST(BridgeThread, RefusesOptionsThatContradictEachOtherWhereItIsMade)
 {
   can::BridgeOptions options;

@@ -28,8 +28,9 @@ public:
   /// A frame of the bus, error frames included. What it makes necessary is in the outbox at once.
   void receive(const Frame& frame, double now);
 
-  /// The newest command; sent at once while enabled, at most once a cycle beside the cycle's own.
-  void command(const WheelCommand& command, double now);
+  /// The newest command, and when it was made: its timeout counts from then. Sent at once while enabled, at most once
+  /// a cycle beside the cycle's own.
+  void command(const WheelCommand& command, double made, double now);
 
   /// While pressed, nothing can be enabled; pressing it stops the base at once.
   void press_emergency_stop(bool pressed, double now);

@@ -85,8 +85,8 @@ struct FaultRecord
 /// mapped) at 1600:01"; empty for a record that does not exist.
 std::string text_of(const FaultRecord& record);
 
-/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No
-/// allocation.
+/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported, but for those
+/// after which the base starts by itself: each time is another one. No allocation.
 class FaultLog
 {
 public:
