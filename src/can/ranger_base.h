@@ -24,8 +24,8 @@ public:
   void end_cycle(double, Outbox&) override {}
 
   BaseStage stage() const override { return stage_; }
-  int first_in_operation() const override { return follows_ || rolls() ? 0 : kNoAxis; }
-  int first_out_of_operation() const override { return follows_ && obeys() ? kNoAxis : 0; }
+  int first_able_to_move() const override { return follows_ || rolls() ? 0 : kNoAxis; }
+  int first_not_following() const override { return follows_ && obeys() ? kNoAxis : 0; }
   const WheelMotion& measured() const override { return measured_; }
   double measured_at() const override { return measured_at_; }
   const char* refusal(const WheelCommand& command) const override { return kinematics_.refusal(command); }

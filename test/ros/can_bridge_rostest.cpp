@@ -135,6 +135,20 @@ TEST_F(CanBridgeNode, says_each_cycle_what_the_wheels_do_and_where_that_leads)
   EXPECT_TRUE(joints.wait_for([](const sensor_msgs::JointState& j) { return j.position.size() == 8; }));
 }
 
+TEST_F(CanBridgeNode, a_silent_drive_ends_the_odometry_but_not_the_state_which_keeps_its_stamp)
+{
+  Inbox<nav_msgs::Odometry> odometry("odom");
+  drive();
+  inject("node_silent", 6, 0);
+  const auto fault = wheel_states_.wait_for([](const WheelStates& s) { return s.state == WheelStates::FAULT; });
+  ASSERT_TRUE(fault);
+  wheel_states_.clear();
+  odometry.clear();
+  ASSERT_TRUE(wait_until([this] { return wheel_states_.messages().size() > 20; }));
+  EXPECT_EQ(wheel_states_.messages().back()->header.stamp, fault->header.stamp);
+  EXPECT_TRUE(odometry.messages().empty());
+}
+
 TEST_F(CanBridgeNode, the_emergency_stop_stops_it_and_forbids_to_enable_it)
 {
   drive();
