@@ -300,17 +300,6 @@ TEST_F(Homing, ComesBeforeTheFirstMotionAndOnlyAfterTheBaseIsEnabled)
   drive();
 }
 
-TEST_F(Homing, BeginsAnewAfterItWasInterrupted)
-{
-  ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
-  ASSERT_EQ(bridge.enable(now()), nullptr);
-  ASSERT_LT(wait_for(BridgeStage::home), 1.0) << cause();
-  bridge.disable(now());
-  ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
-  pass(options.homing_timeout + 1.0);
-  enable();
-}
-
 TEST_F(Homing, ThatDoesNotEndIsAFault)
 {
   ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
