@@ -21,10 +21,12 @@ const AxisOptions& options_of(const BridgeOptions& options, int index)
   return is_steering(index) ? options.steering[wheel] : options.driving[wheel];
 }
 
-AxisWatch watch_of(const Robot& robot, const BridgeOptions& options, bool steering, FaultReporter report)
+AxisWatch watch_of(const Robot& robot, const BridgeOptions& options, const AxisScale& scale, bool steering,
+                   FaultReporter report)
 {
-  if (steering) return {options, robot.wheel_max_rate, options.steering_error, Fault::steering_stuck, report};
-  return {options, robot.wheel_max_speed, options.speed_error, Fault::speed_not_followed, report};
+  const double counts = std::abs(scale.counts_per_unit());
+  if (steering) return {options, counts * robot.wheel_max_rate, options.steering_error, Fault::steering_stuck, report};
+  return {options, counts * robot.wheel_max_speed, options.speed_error, Fault::speed_not_followed, report};
 }
 
 bool is_in_fault(DriveState state)
@@ -38,8 +40,9 @@ Axis::Axis(const Robot& robot, const BridgeOptions& options, int index, FaultLog
   : steering_(is_steering(index)), node_(options_of(options, index).node),
     scale_(scale_of(options, options_of(options, index), steering_)), mode_(working_mode(options, steering_)),
     report_fault_(log, index), startup_(robot, options, options_of(options, index), steering_, report_fault_),
-    watch_(watch_of(robot, options, steering_, report_fault_)),
-    homing_(steering_ && options.homing, options.homing_timeout, report_fault_), telemetry_(options, node_)
+    watch_(watch_of(robot, options, scale_, steering_, report_fault_)),
+    homing_(steering_ && options.homing, options.homing_timeout, report_fault_), telemetry_(options, node_),
+    late_(options.enable_timeout)
 {
 }
 
@@ -80,8 +83,9 @@ void Axis::supervise(double now, Outbox& outbox)
   telemetry_.supervise(now, outbox);
 }
 
-void Axis::sync_sent()
+void Axis::sync_sent(double now)
 {
+  synced_ = now;
   if (startup_.done()) watch_.sync_sent();
 }
 
@@ -90,7 +94,11 @@ void Axis::command(PowerGoal goal, double target, double now, Outbox& outbox)
   if (!startup_.is_set_up()) return;
   goal_ = goal;
   target_ = target;
-  if (goal != PowerGoal::on) was_in_operation_ = false;
+  if (goal != PowerGoal::on)
+  {
+    was_in_operation_ = false;
+    homing_.interrupt();
+  }
   DriveCommand command;
   command.controlword = word(goal, now);
   command.mode = homing_.done() ? mode_ : OperationMode::homing;
@@ -108,7 +116,7 @@ BaseStage Axis::stage() const
   if (!startup_.done()) return startup_.stage();
   const DriveState power = state();
   if (resetting_ || power == DriveState::not_ready || power == DriveState::unknown) return BaseStage::starting;
-  return goal_ == PowerGoal::on && !homing_.done() ? BaseStage::homing : BaseStage::started;
+  return homing_.running() ? BaseStage::homing : BaseStage::started;
 }
 
 bool Axis::in_operation() const
@@ -154,11 +162,13 @@ void Axis::receive_status(const DriveStatus& status, double now)
 void Axis::receive_motion(const DriveMotion& motion, double now)
 {
   if (!startup_.is_set_up()) return;
+  if (measured_at_ > 0.0) rolled_ += scale_.to_rate(counts_between(motion_.position, motion.position));
   motion_ = motion;
   has_motion_ = true;
+  measured_at_ = synced_;
   if (!homing_.done()) watch_.expect_jump();
   if (startup_.done())
-    watch_.receive_motion(position(), now);
+    watch_.receive_motion(motion.position, now);
   else
     finish_start(now);
 }
@@ -176,6 +186,7 @@ void Axis::finish_start(double now)
   if (!startup_.done()) return;
   watch_.begin(now);
   telemetry_.begin(now);
+  late_.reset();
   resetting_ = resetting_ && is_in_fault(state());
   reset_until_ = now + kResetTime;
 }
@@ -183,10 +194,11 @@ void Axis::finish_start(double now)
 void Axis::supervise_power(double now)
 {
   const DriveState power = state();
-  if (resetting_ && now < reset_until_)
-    resetting_ = is_in_fault(power);
-  else if (is_in_fault(power))
-    report_fault_(Fault::drive_fault, status_.statusword, now);
+  resetting_ = resetting_ && is_in_fault(power) && now < reset_until_;
+  if (is_in_fault(power) && !resetting_) report_fault_(Fault::drive_fault, status_.statusword, now);
+  if (late_.update(stage() == BaseStage::starting, now))
+    report_fault_(Fault::power_timeout, status_.statusword, now);
+  homing_.supervise(status_, now);
 
   if (goal_ == PowerGoal::on && was_in_operation_ && power != DriveState::operation_enabled)
     report_fault_(Fault::drive_disabled, status_.statusword, now);
@@ -210,7 +222,7 @@ std::uint16_t Axis::word(PowerGoal goal, double now)
   }
   const std::uint16_t word = controlword(state(), goal);
   if (word != control::enable_operation || state() != DriveState::operation_enabled) return word;
-  if (!homing_.done()) return word | homing_.update(status_, now);
+  if (!homing_.done()) return word | homing_.bits(status_, now);
   return mode_ == OperationMode::profile_position && follows() ? word | set_point_bits(status_.statusword) : word;
 }
 

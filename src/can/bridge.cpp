@@ -135,12 +135,14 @@ private:
   void stop(StopProcedure::Kind kind, BridgeState state, double now)
   {
     stop_.begin(kind, now);
+    motion_.forget();
     enter(state, now);
   }
 
   void wait_for_link(double now)
   {
     stop_.cancel();
+    motion_.forget();
     outbox_.clear();
     enter(BridgeState::waiting, now);
   }
@@ -216,8 +218,8 @@ private:
 
   void go_on_stopping(double now)
   {
-    stop_.update(fastest(protocol_->measured().speed), fastest(motion_.setpoint().speed), protocol_->out_of_operation(),
-                 now);
+    stop_.update(greatest_magnitude(protocol_->measured().speed), greatest_magnitude(motion_.setpoint().speed),
+                 protocol_->out_of_operation(), now);
     if (state_ == BridgeState::fault) return;
     if (now - entered_ > options_.stop_timeout + options_.enable_timeout)
       log_.report(Fault::power_timeout, protocol_->first_in_operation(), 0, now);
@@ -301,7 +303,7 @@ private:
 
 Bridge::Bridge(const Robot& robot, const BridgeOptions& options)
 {
-  check(options);
+  check(robot, options);
   implementation_ = std::make_unique<Implementation>(robot, options);
 }
 Bridge::~Bridge() = default;

@@ -16,6 +16,9 @@ public:
   /// The base follows from now on; there is no command yet.
   void begin(double now);
 
+  /// Whatever was commanded is not followed any more.
+  void forget() { commands_.forget(); }
+
   /// The wheels are told to be where they are, at rest.
   void hold(const WheelMotion& measured, double now);
 

@@ -33,10 +33,4 @@ private:
   WheelMotion now_;
 };
 
-/// The speed of the fastest wheel [m/s].
-double fastest(const PerWheel& speed);
-
-/// The greatest difference of two wheels' angles [rad]; a full turn is one.
-double largest_gap(const PerWheel& a, const PerWheel& b);
-
 }  // namespace fourwis::can

@@ -41,7 +41,8 @@ signed char level_of(const can::AxisReport& axis)
 {
   if (axis.drive == can::DriveState::fault || axis.drive == can::DriveState::fault_reaction)
     return DiagnosticStatus::ERROR;
-  return axis.drive == can::DriveState::unknown || axis.emergency != 0 ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+  const bool warns = axis.emergency != 0 || (axis.statusword & can::status_bit::warning) != 0;
+  return warns || axis.drive == can::DriveState::unknown ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ const std::vector<std::int64_t>* values_known(std::uint16_t index)
     {object::kQuickStopOption, {0, 1, 2, 5, 6}},
     {object::kHaltOption, {1, 2}},
     {object::kFaultReactionOption, {0, 1, 2}},
-    {object::kHomingMethod, {0, 35, 37}},
+    {object::kHomingMethod, {0, 34, 35, 37}},
     {object::kMode, {kNone, kProfilePosition, kProfileVelocity, kHoming, kCyclicPosition, kCyclicVelocity}}};
   const auto found = known.find(index);
   return found == known.end() ? nullptr : &found->second;

@@ -99,6 +99,21 @@ TEST_F(BridgeStart, SomebodyElseCommandsTheDrives)
   expect_refusal(Fault::foreign_master);
 }
 
+TEST_F(BridgeStart, SaysNothingAsLongAsSomebodyElseCommandsTheDrives)
+{
+  inject(DriveFaultKind::foreign_master, 2);
+  EXPECT_LT(wait_for(BridgeStage::fault), 1.0);
+  pass(1.0);
+  EXPECT_TRUE(spy.sent.empty());
+}
+
+TEST_F(BridgeStart, NothingCountsAsMeasuredBeforeEveryDriveHasSpoken)
+{
+  const auto measured = [this] { return bridge.wheels().stamp != 0.0; };
+  EXPECT_LT(wait_for(measured), 1.0);
+  for (const can::AxisReport& axis : bridge.report().axes) EXPECT_NE(axis.drive, can::DriveState::unknown);
+}
+
 TEST_F(BridgeStart, ATargetFromEarlierMovesNothing)
 {
   enable();
@@ -223,10 +238,33 @@ TEST_F(OddAxes, DriveAsWell)
   EXPECT_NEAR(drives.twist().vy, -0.4 * std::sin(0.7), 5e-3);
 }
 
+BridgeOptions with_fine_encoders()
+{
+  BridgeOptions options;
+  for (can::AxisOptions& axis : options.driving) axis.counts_per_turn = 8388608.0;
+  return options;
+}
+
+class FineEncoders : public BridgeStart
+{
+protected:
+  FineEncoders() : BridgeStart(with_fine_encoders()) {}
+};
+
+TEST_F(FineEncoders, BeginAgainAtTheOtherEndOfTheirRangeWithoutAJump)
+{
+  drive();
+  const double rolled = bridge.report().axes[4].position;
+  pass(20.0);  // every 16 m
+  EXPECT_EQ(stage(), BridgeStage::enabled) << cause();
+  EXPECT_NEAR(bridge.report().axes[4].position - rolled, 10.0, 0.1);
+}
+
 BridgeOptions with_homing()
 {
   BridgeOptions options;
   options.homing = true;
+  options.homing_method = 34;
   return options;
 }
 
@@ -245,6 +283,17 @@ TEST_F(Homing, ComesBeforeTheFirstMotionAndOnlyAfterTheBaseIsEnabled)
   EXPECT_LT(wait_for(BridgeStage::home), 1.0) << cause();
   EXPECT_LT(wait_for(BridgeStage::enabled), 2.0) << cause();
   drive();
+}
+
+TEST_F(Homing, OfADriveThatCannotBeSwitchedOnIsNotWaitedFor)
+{
+  ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
+  inject(DriveFaultKind::status_frozen, 2);
+  pass(0.1);
+  ASSERT_EQ(bridge.enable(now()), nullptr);
+  EXPECT_LT(wait_for(BridgeStage::fault), options.enable_timeout + 0.5);
+  EXPECT_TRUE(told(Fault::power_timeout)) << cause();
+  EXPECT_EQ(bridge.report().cause.axis, 1);
 }
 
 /// The bridge between its construction and its destruction.

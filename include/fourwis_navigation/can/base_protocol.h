@@ -75,7 +75,7 @@ public:
   bool out_of_operation() const { return first_in_operation() == kNoAxis; }
 
   virtual const WheelMotion& measured() const = 0;
-  virtual double measured_at() const = 0;  ///< [s]
+  virtual double measured_at() const = 0;  ///< the oldest part of it; 0: not all wheels have been measured yet [s]
 
   /// Why the base cannot do what a valid command says, in words; null if it can.
   virtual const char* refusal(const WheelCommand& command) const = 0;

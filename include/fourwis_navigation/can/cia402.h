@@ -32,9 +32,8 @@ DriveState drive_state(std::uint16_t statusword);
 /// Bits of the statusword.
 namespace status_bit
 {
-inline constexpr std::uint16_t warning = 1 << 7, remote = 1 << 9, target_reached = 1 << 10, internal_limit = 1 << 11,
-                               set_point_acknowledge = 1 << 12, homing_attained = 1 << 12, homing_error = 1 << 13,
-                               following_error = 1 << 13;
+inline constexpr std::uint16_t warning = 1 << 7, target_reached = 1 << 10, set_point_acknowledge = 1 << 12,
+                               homing_attained = 1 << 12, homing_error = 1 << 13;
 }
 
 /// Words and bits of the controlword.
@@ -42,7 +41,7 @@ namespace control
 {
 inline constexpr std::uint16_t disable_voltage = 0x00, quick_stop = 0x02, shutdown = 0x06, switch_on = 0x07,
                                enable_operation = 0x0F, new_set_point = 1 << 4, homing_start = 1 << 4,
-                               change_immediately = 1 << 5, fault_reset = 1 << 7, halt = 1 << 8;
+                               change_immediately = 1 << 5, fault_reset = 1 << 7;
 }
 
 /// Where a drive's power stage is to be brought.
