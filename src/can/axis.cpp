@@ -21,10 +21,12 @@ const AxisOptions& options_of(const BridgeOptions& options, int index)
   return is_steering(index) ? options.steering[wheel] : options.driving[wheel];
 }
 
-AxisWatch watch_of(const Robot& robot, const BridgeOptions& options, bool steering, FaultReporter report)
+AxisWatch watch_of(const Robot& robot, const BridgeOptions& options, const AxisScale& scale, bool steering,
+                   FaultReporter report)
 {
-  if (steering) return {options, robot.wheel_max_rate, options.steering_error, Fault::steering_stuck, report};
-  return {options, robot.wheel_max_speed, options.speed_error, Fault::speed_not_followed, report};
+  const double counts = std::abs(scale.counts_per_unit());
+  if (steering) return {options, counts * robot.wheel_max_rate, options.steering_error, Fault::steering_stuck, report};
+  return {options, counts * robot.wheel_max_speed, options.speed_error, Fault::speed_not_followed, report};
 }
 
 bool is_in_fault(DriveState state)
@@ -38,8 +40,9 @@ Axis::Axis(const Robot& robot, const BridgeOptions& options, int index, FaultLog
   : steering_(is_steering(index)), node_(options_of(options, index).node),
     scale_(scale_of(options, options_of(options, index), steering_)), mode_(working_mode(options, steering_)),
     report_fault_(log, index), startup_(robot, options, options_of(options, index), steering_, report_fault_),
-    watch_(watch_of(robot, options, steering_, report_fault_)),
-    homing_(steering_ && options.homing, options.homing_timeout, report_fault_)
+    watch_(watch_of(robot, options, scale_, steering_, report_fault_)),
+    homing_(steering_ && options.homing, options.homing_timeout, report_fault_), telemetry_(options, node_),
+    late_(options.enable_timeout)
 {
 }
 
@@ -55,7 +58,8 @@ void Axis::restart(bool reset_fault, double now, Outbox& outbox)
 
 void Axis::receive(Service service, const Frame& frame, double now, Outbox& outbox)
 {
-  if (service == Service::sdo_reply) return startup_.receive_sdo(frame, now, outbox);
+  if (service == Service::sdo_reply)
+    return startup_.done() ? telemetry_.receive(frame) : startup_.receive_sdo(frame, now, outbox);
   const auto heartbeat = decode_heartbeat(frame);
   const auto status = decode_drive_status(frame);
   const auto motion = decode_drive_motion(frame);
@@ -76,10 +80,12 @@ void Axis::supervise(double now, Outbox& outbox)
   if (!startup_.done()) return;
   watch_.supervise(now);
   supervise_power(now);
+  telemetry_.supervise(now, outbox);
 }
 
-void Axis::sync_sent()
+void Axis::sync_sent(double now)
 {
+  synced_ = now;
   if (startup_.done()) watch_.sync_sent();
 }
 
@@ -88,7 +94,11 @@ void Axis::command(PowerGoal goal, double target, double now, Outbox& outbox)
   if (!startup_.is_set_up()) return;
   goal_ = goal;
   target_ = target;
-  if (goal != PowerGoal::on) was_in_operation_ = false;
+  if (goal != PowerGoal::on)
+  {
+    was_in_operation_ = false;
+    homing_.interrupt();
+  }
   DriveCommand command;
   command.controlword = word(goal, now);
   command.mode = homing_.done() ? mode_ : OperationMode::homing;
@@ -106,7 +116,7 @@ BaseStage Axis::stage() const
   if (!startup_.done()) return startup_.stage();
   const DriveState power = state();
   if (resetting_ || power == DriveState::not_ready || power == DriveState::unknown) return BaseStage::starting;
-  return goal_ == PowerGoal::on && !homing_.done() ? BaseStage::homing : BaseStage::started;
+  return homing_.running() ? BaseStage::homing : BaseStage::started;
 }
 
 bool Axis::in_operation() const
@@ -124,7 +134,9 @@ bool Axis::out_of_operation() const
 
 AxisReport Axis::report() const
 {
-  return {nmt_, has_status_ ? state() : DriveState::unknown, status_.statusword, emergency_, position(), speed()};
+  const DriveState power = has_status_ ? state() : DriveState::unknown;
+  return {nmt_, power, status_.statusword, emergency_, position(), speed(), telemetry_.voltage(),
+          telemetry_.temperature()};
 }
 
 void Axis::receive_heartbeat(NmtState state, double now, Outbox& outbox)
@@ -150,11 +162,13 @@ void Axis::receive_status(const DriveStatus& status, double now)
 void Axis::receive_motion(const DriveMotion& motion, double now)
 {
   if (!startup_.is_set_up()) return;
+  if (measured_at_ > 0.0) rolled_ += scale_.to_rate(counts_between(motion_.position, motion.position));
   motion_ = motion;
   has_motion_ = true;
+  measured_at_ = synced_;
   if (!homing_.done()) watch_.expect_jump();
   if (startup_.done())
-    watch_.receive_motion(position(), now);
+    watch_.receive_motion(motion.position, now);
   else
     finish_start(now);
 }
@@ -171,6 +185,8 @@ void Axis::finish_start(double now)
   startup_.receive_cyclic();
   if (!startup_.done()) return;
   watch_.begin(now);
+  telemetry_.begin(now);
+  late_.reset();
   resetting_ = resetting_ && is_in_fault(state());
   reset_until_ = now + kResetTime;
 }
@@ -178,10 +194,11 @@ void Axis::finish_start(double now)
 void Axis::supervise_power(double now)
 {
   const DriveState power = state();
-  if (resetting_ && now < reset_until_)
-    resetting_ = is_in_fault(power);
-  else if (is_in_fault(power))
-    report_fault_(Fault::drive_fault, status_.statusword, now);
+  resetting_ = resetting_ && is_in_fault(power) && now < reset_until_;
+  if (is_in_fault(power) && !resetting_) report_fault_(Fault::drive_fault, status_.statusword, now);
+  if (late_.update(stage() == BaseStage::starting, now))
+    report_fault_(Fault::power_timeout, status_.statusword, now);
+  homing_.supervise(status_, now);
 
   if (goal_ == PowerGoal::on && was_in_operation_ && power != DriveState::operation_enabled)
     report_fault_(Fault::drive_disabled, status_.statusword, now);
@@ -205,7 +222,7 @@ std::uint16_t Axis::word(PowerGoal goal, double now)
   }
   const std::uint16_t word = controlword(state(), goal);
   if (word != control::enable_operation || state() != DriveState::operation_enabled) return word;
-  if (!homing_.done()) return word | homing_.update(status_, now);
+  if (!homing_.done()) return word | homing_.bits(status_, now);
   return mode_ == OperationMode::profile_position && follows() ? word | set_point_bits(status_.statusword) : word;
 }
 
@@ -214,7 +231,8 @@ std::int32_t Axis::counts_of(double target) const
   return steering_ ? scale_.to_counts(target) : scale_.to_rate_counts(target);
 }
 
-/// What a drive may find as its target whenever it begins to follow: where it is, at rest. A residual target moves the motor.
+/// What a drive may find as its target whenever it begins to follow: where it is, at rest. A residual target moves
+/// the motor.
 std::int32_t Axis::resting_counts() const
 {
   return steering_ ? motion_.position : 0;

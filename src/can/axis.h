@@ -4,6 +4,7 @@
 
 #include "axis_homing.h"
 #include "axis_startup.h"
+#include "axis_telemetry.h"
 #include "axis_watch.h"
 
 namespace fourwis::can
@@ -20,19 +21,20 @@ public:
   /// A frame of its node.
   void receive(Service service, const Frame& frame, double now, Outbox& outbox);
   void supervise(double now, Outbox& outbox);
-  void sync_sent();
+  void sync_sent(double now);
 
   /// Brings the power stage nearer to `goal`; in operation the drive follows `target` [rad or m/s].
   void command(PowerGoal goal, double target, double now, Outbox& outbox);
-  /// Whatever it does: speed zero, quick stop. For a driving axis whose state is not known.
+  /// Whatever it does: speed zero, quick stop, with the next SYNC. For a driving axis whose state is not known.
   void stop(Outbox& outbox) const;
 
   int node() const { return node_; }
   BaseStage stage() const;
   bool in_operation() const;
   bool out_of_operation() const;
-  double position() const { return scale_.to_position(motion_.position); }  ///< [rad or m]
-  double speed() const { return scale_.to_rate(motion_.velocity); }         ///< [rad/s or m/s]
+  double position() const { return steering_ ? scale_.to_position(motion_.position) : rolled_; }  ///< [rad or m]
+  double speed() const { return scale_.to_rate(motion_.velocity); }  ///< [rad/s or m/s]
+  double measured_at() const { return measured_at_; }                ///< the SYNC of both; 0: never [s]
   AxisReport report() const;
 
 private:
@@ -56,9 +58,14 @@ private:
   AxisStartup startup_;
   AxisWatch watch_;
   AxisHoming homing_;
+  AxisTelemetry telemetry_;
+  Steady late_;  ///< the drive has started and can still not be switched on
   NmtState nmt_ = NmtState::boot_up;
   DriveStatus status_;
   DriveMotion motion_;
+  double rolled_ = 0.0;       ///< driving: since the first measurement [m]
+  double synced_ = 0.0;       ///< when the last SYNC was sent [s]
+  double measured_at_ = 0.0;  ///< [s]
   std::uint16_t emergency_ = 0;
   bool has_status_ = false, has_motion_ = false;  ///< since the start
   bool resetting_ = false;   ///< a fault is to be reset before the axis counts as started

@@ -9,24 +9,31 @@ namespace
 constexpr double kOldNews = 0.05;
 constexpr std::uint16_t kAttained = status_bit::homing_attained | status_bit::target_reached;
 
+bool is_homing(const DriveStatus& status)
+{
+  return status.mode == static_cast<std::int8_t>(OperationMode::homing);
+}
+
 }  // namespace
 
-std::uint16_t AxisHoming::update(const DriveStatus& status, double now)
+std::uint16_t AxisHoming::bits(const DriveStatus& status, double now)
 {
-  // Until the drive is in homing mode, these bits of its statusword mean something else.
-  if (status.mode != static_cast<std::int8_t>(OperationMode::homing)) return 0;
-  if (!running_)
-  {
-    running_ = true;
-    begun_ = now;
-    return control::homing_start;
-  }
+  if (!is_homing(status)) return 0;
+  if (!running_) begun_ = now;
+  running_ = true;
+  return control::homing_start;
+}
+
+void AxisHoming::supervise(const DriveStatus& status, double now)
+{
+  if (!running_) return;
   const double elapsed = now - begun_;
-  const bool error = status.statusword & status_bit::homing_error && elapsed > kOldNews;
+  // In another mode, and before the drive has begun, the bits of its statusword mean something else.
+  const std::uint16_t bits = is_homing(status) && elapsed > kOldNews ? status.statusword : 0;
+  const bool error = bits & status_bit::homing_error;
   if (error || elapsed > timeout_) report_(Fault::homing_failed, status.statusword, now);
-  done_ = (status.statusword & kAttained) == kAttained && !error && elapsed > kOldNews;
+  done_ = (bits & kAttained) == kAttained && !error;
   running_ = !done_;
-  return done_ ? 0 : control::homing_start;
 }
 
 }  // namespace fourwis::can

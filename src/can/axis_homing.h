@@ -17,11 +17,17 @@ public:
 
   void begin() { done_ = !needed_, running_ = false; }
 
+  /// The drive is not to be in operation any more: what is not done begins again another time.
+  void interrupt() { running_ = false; }
+
   bool done() const { return done_; }
   bool running() const { return running_; }
 
-  /// For a drive in operation in homing mode: goes on, and answers with the bits of its controlword.
-  std::uint16_t update(const DriveStatus& status, double now);
+  /// For a drive in operation in homing mode: the bits of its controlword.
+  std::uint16_t bits(const DriveStatus& status, double now);
+
+  /// Once a cycle, whatever became of the drive: is it done, has it failed, does it take too long?
+  void supervise(const DriveStatus& status, double now);
 
 private:
   bool needed_;

@@ -25,6 +25,11 @@ std::int32_t saturated_counts(double counts)
   return static_cast<std::int32_t>(std::lround(counts));
 }
 
+std::int32_t counts_between(std::int32_t before, std::int32_t now)
+{
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(now) - static_cast<std::uint32_t>(before));
+}
+
 AxisScale AxisScale::steering(const AxisOptions& axis)
 {
   return {counts_of_turn(axis) / (2.0 * M_PI), axis.offset};

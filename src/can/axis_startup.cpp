@@ -70,7 +70,8 @@ void AxisStartup::supervise(double now, Outbox& outbox)
 
 void AxisStartup::go_on(double now, Outbox& outbox)
 {
-  if (client_.state() == SdoClient::State::failed) return fail(client_.fault(), client_.detail(), now, client_.object());
+  if (client_.state() == SdoClient::State::failed)
+    return fail(client_.fault(), client_.detail(), now, client_.object());
   if (client_.state() != SdoClient::State::done) return;
   if (stage_ == BaseStage::identifying)
   {

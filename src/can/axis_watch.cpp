@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fourwis_navigation/can/axis_scale.h"
+
 namespace fourwis::can
 {
 namespace
 {
 
-/// Answers may come late and then several at once, but not more than this in excess of the questions, two to a SYNC.
-constexpr int kMostUnasked = 8;
+/// A SYNC has two answers.
+constexpr int kAnswers = 2;
 /// A real axis may be faster than it should be by this factor; a measurement may come later by so many cycles.
 constexpr double kSpeedSlack = 2.0, kLateCycles = 2.0;
 
@@ -17,9 +19,10 @@ constexpr double kSpeedSlack = 2.0, kLateCycles = 2.0;
 
 AxisWatch::AxisWatch(const BridgeOptions& options, double max_speed, double error, Fault not_followed,
                      FaultReporter report)
-  : max_speed_(max_speed), error_(error), heartbeat_timeout_(options.heartbeat_timeout), cycle_time_(options.cycle_time),
+  : max_speed_(max_speed), error_(error), heartbeat_timeout_(options.heartbeat_timeout),
+    cycle_time_(options.cycle_time),
     most_unanswered_(std::max(2, static_cast<int>(std::lround(options.feedback_timeout / options.cycle_time)))),
-    not_followed_(not_followed), report_(report), off_(options.following_time)
+    most_unasked_(kAnswers * (most_unanswered_ + 1)), not_followed_(not_followed), report_(report), off_(options.following_time)
 {
 }
 
@@ -49,11 +52,11 @@ void AxisWatch::receive_status(double now)
   count_answer(unanswered_status_, now);
 }
 
-void AxisWatch::receive_motion(double position, double now)
+void AxisWatch::receive_motion(std::int32_t position, double now)
 {
   count_answer(unanswered_motion_, now);
   const double possible = kSpeedSlack * max_speed_ * (now - moved_ + kLateCycles * cycle_time_);
-  if (position_ && std::abs(position - *position_) > possible) report_(Fault::encoder_jump, 0, now);
+  if (position_ && std::abs(static_cast<double>(counts_between(*position_, position))) > possible) report_(Fault::encoder_jump, 0, now);
   position_ = position;
   moved_ = now;
 }
@@ -62,13 +65,13 @@ void AxisWatch::sync_sent()
 {
   ++unanswered_status_;
   ++unanswered_motion_;
-  unasked_ = std::max(unasked_ - 2, 0);
+  unasked_ = std::max(unasked_ - kAnswers, 0);
 }
 
 void AxisWatch::supervise(double now)
 {
   if (now - heard_ > heartbeat_timeout_) report_(Fault::heartbeat_lost, 0, now);
-  if (std::max(unanswered_status_, unanswered_motion_) > most_unanswered_) report_(Fault::feedback_lost, 0, now);
+  if (std::max(unanswered_status_, unanswered_motion_) >= most_unanswered_) report_(Fault::feedback_lost, 0, now);
 }
 
 void AxisWatch::supervise_following(double difference, double now)
@@ -79,8 +82,9 @@ void AxisWatch::supervise_following(double difference, double now)
 void AxisWatch::count_answer(int& unanswered, double now)
 {
   unanswered = 0;
-  // A node that has rebooted does not answer before it is started: there are two.
-  if (++unasked_ > kMostUnasked || rebooted_) report_(Fault::duplicate_node, 0, now);
+  // Answers may come late and then several at once, but not more than there were questions. A node that has rebooted
+  // does not answer before it is started: there are two.
+  if (++unasked_ > most_unasked_ || rebooted_) report_(Fault::duplicate_node, 0, now);
 }
 
 }  // namespace fourwis::can

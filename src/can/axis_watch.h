@@ -16,14 +16,14 @@ namespace fourwis::can
 class AxisWatch
 {
 public:
-  /// `max_speed` of the axis [rad/s or m/s]; `error` beyond which it does not follow [rad or m/s], of `not_followed`.
+  /// `max_speed` of the axis [counts/s]; `error` beyond which it does not follow [rad or m/s], of `not_followed`.
   AxisWatch(const BridgeOptions& options, double max_speed, double error, Fault not_followed, FaultReporter report);
 
   void begin(double now);
 
   void receive_heartbeat(NmtState state, double now);
   void receive_status(double now);
-  void receive_motion(double position, double now);
+  void receive_motion(std::int32_t position, double now);
   void sync_sent();
 
   /// What is measured may jump: the drive looks for its zero.
@@ -40,7 +40,7 @@ private:
 
   double max_speed_, error_;
   double heartbeat_timeout_, cycle_time_;
-  int most_unanswered_;
+  int most_unanswered_, most_unasked_;
   Fault not_followed_;
   FaultReporter report_;
   Steady off_;
@@ -48,7 +48,7 @@ private:
   int unanswered_status_ = 0, unanswered_motion_ = 0;
   int unasked_ = 0;  ///< answers in excess of SYNCs
   bool rebooted_ = false;
-  std::optional<double> position_;
+  std::optional<std::int32_t> position_;  ///< [counts]
   double moved_ = 0.0;  ///< when `position_` was received
 };
 

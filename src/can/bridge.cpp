@@ -35,10 +35,10 @@ public:
     react(now);
   }
 
-  void command(const WheelCommand& command, double now)
+  void command(const WheelCommand& command, double made, double now)
   {
     if (state_ != BridgeState::enabled) return;
-    if (take(command, now) && !sent_between_cycles_)
+    if (take(command, made, now) && !sent_between_cycles_)
     {
       sent_between_cycles_ = true;
       motion_.follow(protocol_->measured(), now);
@@ -56,7 +56,8 @@ public:
 
   const char* enable(double now)
   {
-    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) return nullptr;
+    if (state_ == BridgeState::enabled) return nullptr;
+    if (state_ == BridgeState::enabling) return "already being enabled";
     if (state_ == BridgeState::fault) return "in fault: clear the faults first";
     if (state_ == BridgeState::stopping) return "still stopping";
     if (state_ != BridgeState::ready) return "the drives are not ready yet";
@@ -120,6 +121,11 @@ private:
   /// What comes from drives that have not been started anew since the bus was lost means nothing.
   bool is_talking() const { return link_.usable() && state_ != BridgeState::waiting; }
 
+  bool may_move() const
+  {
+    return state_ == BridgeState::enabling || state_ == BridgeState::enabled || state_ == BridgeState::stopping;
+  }
+
   void enter(BridgeState state, double now)
   {
     state_ = state;
@@ -129,20 +135,22 @@ private:
   void stop(StopProcedure::Kind kind, BridgeState state, double now)
   {
     stop_.begin(kind, now);
+    motion_.forget();
     enter(state, now);
   }
 
   void wait_for_link(double now)
   {
     stop_.cancel();
+    motion_.forget();
     outbox_.clear();
     enter(BridgeState::waiting, now);
   }
 
   /// Whether it is to be followed.
-  bool take(const WheelCommand& command, double now)
+  bool take(const WheelCommand& command, double made, double now)
   {
-    const CommandWatch::Verdict verdict = motion_.take(command, now);
+    const CommandWatch::Verdict verdict = motion_.take(command, made, now);
     if (verdict == CommandWatch::Verdict::overtaken) ++overtaken_;
     if (verdict == CommandWatch::Verdict::invalid) log_.report(Fault::invalid_command, kNoAxis, 0, now);
     if (verdict != CommandWatch::Verdict::taken) return false;
@@ -162,8 +170,7 @@ private:
   void react(double now)
   {
     const Reaction reaction = log_.take_reaction();
-    const bool drives = state_ == BridgeState::enabling || state_ == BridgeState::enabled || state_ == BridgeState::stopping;
-    if (reaction == Reaction::note || (reaction == Reaction::stop && !drives)) return;
+    if (reaction == Reaction::note || (reaction == Reaction::stop && !may_move())) return;
     motion_.halt(now);
     if (state_ == BridgeState::fault) return;
     if (reaction == Reaction::stop) stop(StopProcedure::Kind::brake, BridgeState::stopping, now);
@@ -211,8 +218,8 @@ private:
 
   void go_on_stopping(double now)
   {
-    stop_.update(fastest(protocol_->measured().speed), fastest(motion_.setpoint().speed), protocol_->out_of_operation(),
-                 now);
+    stop_.update(greatest_magnitude(protocol_->measured().speed), greatest_magnitude(motion_.setpoint().speed),
+                 protocol_->out_of_operation(), now);
     if (state_ == BridgeState::fault) return;
     if (now - entered_ > options_.stop_timeout + options_.enable_timeout)
       log_.report(Fault::power_timeout, protocol_->first_in_operation(), 0, now);
@@ -249,7 +256,8 @@ private:
     DriveDemand demand;
     demand.mode = motion_.mode();
     demand.motion = motion_.setpoint();
-    if (state_ == BridgeState::enabled || state_ == BridgeState::enabling) demand.steering = demand.driving = PowerGoal::on;
+    const bool on = state_ == BridgeState::enabling || state_ == BridgeState::enabled;
+    if (on) demand.steering = demand.driving = PowerGoal::on;
     if (stop_.phase() == StopProcedure::Phase::braking)
     {
       demand.steering = PowerGoal::keep;
@@ -295,14 +303,17 @@ private:
 
 Bridge::Bridge(const Robot& robot, const BridgeOptions& options)
 {
-  check(options);
+  check(robot, options);
   implementation_ = std::make_unique<Implementation>(robot, options);
 }
 Bridge::~Bridge() = default;
 
 void Bridge::set_link(bool up, double now) { implementation_->set_link(up, now); }
 void Bridge::receive(const Frame& frame, double now) { implementation_->receive(frame, now); }
-void Bridge::command(const WheelCommand& command, double now) { implementation_->command(command, now); }
+void Bridge::command(const WheelCommand& command, double made, double now)
+{
+  implementation_->command(command, made, now);
+}
 void Bridge::press_emergency_stop(bool pressed, double now) { implementation_->press_emergency_stop(pressed, now); }
 const char* Bridge::enable(double now) { return implementation_->enable(now); }
 const char* Bridge::disable(double now) { return implementation_->disable(now); }

@@ -7,6 +7,8 @@ namespace
 
 /// Between two attempts to open a bus that is down [s].
 constexpr double kRecoverPeriod = 0.1;
+/// So many frames are received before somebody else has a turn: a flood must not keep the cycle from its time.
+constexpr int kMostAtOnce = 256;
 
 }  // namespace
 
@@ -33,7 +35,8 @@ void BridgeConnection::receive(double now)
 {
   if (!up_) return;
   BusStatus status = BusStatus::ok;
-  for (Frame frame; (status = bus_.receive(frame)) == BusStatus::ok;)
+  Frame frame;
+  for (int i = 0; i < kMostAtOnce && (status = bus_.receive(frame)) == BusStatus::ok; ++i)
   {
     bridge_.receive(frame, now);
     flush(now);

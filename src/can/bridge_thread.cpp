@@ -10,6 +10,7 @@
 #include "fourwis_navigation/can/mailbox.h"
 #include "fourwis_navigation/can/real_time.h"
 #include "request_slot.h"
+#include "stop_button.h"
 
 namespace fourwis::can
 {
@@ -32,7 +33,7 @@ void wait_for(int bus, int wake, double timeout)
 struct TimedCommand
 {
   WheelCommand command;
-  double given = 0.0;  ///< [s]
+  double made = 0.0, given = 0.0;  ///< [s]
 };
 
 }  // namespace
@@ -62,15 +63,16 @@ public:
 
   const std::string& complaint() const { return complaint_; }
 
-  void command(const WheelCommand& command)
+  void command(const WheelCommand& command, double age)
   {
-    commands_.put({command, monotonic_now()});
+    const double now = monotonic_now();
+    commands_.put({command, now - age, now});
     wake_.raise();
   }
 
   void press_emergency_stop(bool pressed)
   {
-    pressed_ = pressed;
+    emergency_stop_.set(pressed);
     wake_.raise();
   }
 
@@ -105,17 +107,14 @@ private:
   {
     wake_.clear();
     const double now = monotonic_now();
-    if (pressed_ != was_pressed_)
-    {
-      was_pressed_ = pressed_;
-      bridge_.press_emergency_stop(was_pressed_, now);
-    }
+    emergency_stop_.pass_on([&](bool pressed) { bridge_.press_emergency_stop(pressed, now); });
     answer(now);
     TimedCommand timed;
     if (!commands_.take(timed)) return connection_.flush(now);
-    bridge_.command(timed.command, now);
+    bridge_.command(timed.command, timed.made, now);
     connection_.flush(now);
-    if (!connection_.is_blocked()) update_.delays.add(monotonic_now() - timed.given);
+    const bool sent = bridge_.wheels().state == BaseState::enabled && !connection_.is_blocked();
+    if (sent) update_.delays.add(monotonic_now() - timed.given);
   }
 
   void answer(double now)
@@ -160,13 +159,13 @@ private:
   Bridge bridge_;
   BridgeConnection connection_;
   BridgeUpdate update_;
-  bool was_pressed_ = false;
 
   SignalEvent wake_, updated_;
   Mailbox<TimedCommand> commands_;
   Mailbox<BridgeUpdate> updates_;
   RequestSlot requests_{wake_};
-  std::atomic<bool> pressed_{false}, end_{false};
+  StopButton emergency_stop_;
+  std::atomic<bool> end_{false};
   std::string complaint_;
   std::thread thread_;  ///< last: it uses all of the above
 };
@@ -178,7 +177,7 @@ BridgeThread::BridgeThread(const Robot& robot, const BridgeOptions& options, std
 BridgeThread::~BridgeThread() = default;
 
 std::string BridgeThread::complaint() const { return implementation_->complaint(); }
-void BridgeThread::command(const WheelCommand& command) { implementation_->command(command); }
+void BridgeThread::command(const WheelCommand& command, double age) { implementation_->command(command, age); }
 void BridgeThread::press_emergency_stop(bool pressed) { implementation_->press_emergency_stop(pressed); }
 std::string BridgeThread::enable() { return implementation_->ask(RequestSlot::Request::enable); }
 std::string BridgeThread::disable() { return implementation_->ask(RequestSlot::Request::disable); }

@@ -109,13 +109,15 @@ Frame encode_drive_command(int node, const DriveCommand& command)
 std::optional<DriveStatus> decode_drive_status(const Frame& frame)
 {
   if (frame.size != 3 || address_of(frame).service != Service::tpdo1) return std::nullopt;
-  return DriveStatus{get_little_endian<std::uint16_t>(frame.data.data()), get_little_endian<std::int8_t>(&frame.data[2])};
+  const std::uint8_t* from = frame.data.data();
+  return DriveStatus{get_little_endian<std::uint16_t>(from), get_little_endian<std::int8_t>(from + 2)};
 }
 
 std::optional<DriveMotion> decode_drive_motion(const Frame& frame)
 {
   if (frame.size != 8 || address_of(frame).service != Service::tpdo2) return std::nullopt;
-  return DriveMotion{get_little_endian<std::int32_t>(frame.data.data()), get_little_endian<std::int32_t>(&frame.data[4])};
+  const std::uint8_t* from = frame.data.data();
+  return DriveMotion{get_little_endian<std::int32_t>(from), get_little_endian<std::int32_t>(from + 4)};
 }
 
 }  // namespace fourwis::can

@@ -8,13 +8,14 @@ namespace fourwis::can
 namespace
 {
 
-/// Before we say anything we listen this long: two cycles of a slow master [s].
-constexpr double kListenTime = 0.1;
+/// Before we say anything we listen at least this long: two cycles of a slow master [s].
+constexpr double kShortestListening = 0.1;
 
 }  // namespace
 
 Cia402Base::Cia402Base(const Robot& robot, const BridgeOptions& options, FaultLog& log)
-  : master_(options.master_node), heartbeat_period_(options.heartbeat_period), report_(log, kNoAxis),
+  : master_(options.master_node), heartbeat_period_(options.heartbeat_period),
+    listen_time_(std::max(kShortestListening, options.drive_watchdog)), report_(log, kNoAxis),
     beaten_(-std::numeric_limits<double>::infinity())
 {
   axis_of_node_.fill(kNoAxis);
@@ -28,17 +29,28 @@ Cia402Base::Cia402Base(const Robot& robot, const BridgeOptions& options, FaultLo
 
 void Cia402Base::restart(bool reset_faults, double now, Outbox& outbox)
 {
-  if (ran_before_)
-    for (int i = kWheels; i < kAxes; ++i) axes_[static_cast<std::size_t>(i)].stop(outbox);
+  if (ran_before_) stop(outbox);
   reset_faults_ = reset_faults;
   listening_ = true;
-  listen_until_ = now + kListenTime;
+  foreign_ = false;
+  listen_until_ = now + listen_time_;
+}
+
+/// Takes effect with a SYNC only.
+void Cia402Base::stop(Outbox& outbox) const
+{
+  for (std::size_t i = kWheels; i < kAxes; ++i) axes_[i].stop(outbox);
+  outbox.put(encode_sync());
 }
 
 void Cia402Base::receive(const Frame& frame, double now, Outbox& outbox)
 {
   const Address address = address_of(frame);
-  if (is_masters(address)) report_(Fault::foreign_master, frame.id, now);
+  if (is_masters(address))
+  {
+    foreign_ = true;
+    report_(Fault::foreign_master, frame.id, now);
+  }
   const int axis = axis_of_node_[static_cast<std::size_t>(address.node)];
   if (axis == kNoAxis || listening_) return;
   axes_[static_cast<std::size_t>(axis)].receive(address.service, frame, now, outbox);
@@ -47,7 +59,7 @@ void Cia402Base::receive(const Frame& frame, double now, Outbox& outbox)
 
 void Cia402Base::supervise(double now, Outbox& outbox)
 {
-  if (listening_ && now < listen_until_) return;
+  if (listening_ && (foreign_ || now < listen_until_)) return;
   if (listening_)
   {
     listening_ = false;
@@ -76,9 +88,8 @@ void Cia402Base::end_cycle(double now, Outbox& outbox)
     beaten_ = now;
     outbox.put(encode_heartbeat(master_, NmtState::operational));
   }
-  synced_ = now;
   outbox.put(encode_sync());
-  for (Axis& axis : axes_) axis.sync_sent();
+  for (Axis& axis : axes_) axis.sync_sent(now);
 }
 
 BaseStage Cia402Base::stage() const
@@ -87,6 +98,13 @@ BaseStage Cia402Base::stage() const
   BaseStage least = BaseStage::started;
   for (const Axis& axis : axes_) least = std::min(least, axis.stage());
   return least;
+}
+
+double Cia402Base::measured_at() const
+{
+  double oldest = std::numeric_limits<double>::infinity();
+  for (const Axis& axis : axes_) oldest = std::min(oldest, axis.measured_at());
+  return oldest;
 }
 
 int Cia402Base::first_in_operation() const

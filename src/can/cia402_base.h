@@ -25,28 +25,29 @@ public:
   int first_in_operation() const override;
   int first_out_of_operation() const override;
   const WheelMotion& measured() const override { return measured_; }
-  double measured_at() const override { return synced_; }
+  double measured_at() const override;
   const char* refusal(const WheelCommand&) const override { return nullptr; }
   AxisReport axis(int axis) const override { return axes_[static_cast<std::size_t>(axis)].report(); }
 
 private:
   static constexpr int kNodes = 128;
 
+  void stop(Outbox& outbox) const;
   int first_axis(bool (*is_it)(const Axis&)) const;
   bool is_masters(const Address& address) const;
   void measure();
 
   int master_;
-  double heartbeat_period_;
+  double heartbeat_period_, listen_time_;
   FaultReporter report_;
   std::vector<Axis> axes_;
   std::array<int, kNodes> axis_of_node_;
   bool listening_ = true;
+  bool foreign_ = false;     ///< somebody else commands these drives: as long as we have said nothing, we do not
   bool ran_before_ = false;  ///< the drives have once been set up by us
   bool reset_faults_ = false;
   double listen_until_ = 0.0;
-  double beaten_;        ///< when our last heartbeat was sent
-  double synced_ = 0.0;  ///< when our last SYNC was sent
+  double beaten_;  ///< when our last heartbeat was sent
   WheelMotion measured_;
 };
 

@@ -14,13 +14,14 @@ constexpr std::int32_t kMostOvertaken = 100;
 
 }  // namespace
 
-CommandWatch::Verdict CommandWatch::take(const WheelCommand& command, double now)
+CommandWatch::Verdict CommandWatch::take(const WheelCommand& command, double made, double now)
 {
   if (!is_valid(command)) return Verdict::invalid;
+  if (now - made > timeout_) return Verdict::late;
   const auto ahead = static_cast<std::int32_t>(command.sequence - newest_.sequence);
   if (any_ && !expired(now) && ahead <= 0 && ahead > -kMostOvertaken) return Verdict::overtaken;
   newest_ = command;
-  taken_ = now;
+  made_ = made;
   any_ = true;
   return Verdict::taken;
 }

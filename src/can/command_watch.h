@@ -14,6 +14,7 @@ public:
   {
     taken,
     overtaken,  ///< older than the one before by its sequence: not taken
+    late,       ///< not taken: older than the timeout
     invalid     ///< not taken: something in it is no number, no mode, or beyond a wheel's travel
   };
 
@@ -22,13 +23,14 @@ public:
   {
   }
 
-  Verdict take(const WheelCommand& command, double now);
+  /// `made`: when somebody gave it [s].
+  Verdict take(const WheelCommand& command, double made, double now);
 
   /// The last one that was taken, or a stop.
   const WheelCommand& newest() const { return newest_; }
 
   /// There was one, and it is too old to be followed.
-  bool expired(double now) const { return any_ && now - taken_ > timeout_; }
+  bool expired(double now) const { return any_ && now - made_ > timeout_; }
 
   /// As if there had never been one; what it was is still known.
   void forget();
@@ -38,7 +40,7 @@ private:
 
   double max_angle_, timeout_;
   bool any_ = false;
-  double taken_ = 0.0;
+  double made_ = 0.0;  ///< the newest
   WheelCommand newest_;
 };
 

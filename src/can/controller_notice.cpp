@@ -14,6 +14,11 @@ constexpr std::uint8_t kReceiveOverflow = 0x01, kTransmitOverflow = 0x02, kWarni
 
 }  // namespace
 
+bool tells_state(const ControllerNotice& notice)
+{
+  return notice.bus_off || notice.restarted || notice.warning || notice.passive || notice.active;
+}
+
 std::optional<ControllerNotice> decode_notice(const Frame& frame)
 {
   if (!frame.error) return std::nullopt;

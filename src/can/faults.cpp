@@ -91,7 +91,7 @@ std::string text_of(const FaultRecord& record)
 void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object)
 {
   auto reported = reported_.at(static_cast<std::size_t>(axis + 1))[static_cast<std::size_t>(fault)];
-  if (reported) return;
+  if (reported && reaction(fault) != Reaction::restart) return;
   reported = true;
 
   const FaultRecord record{fault, axis, detail, object, now};
@@ -104,12 +104,6 @@ void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now, s
 Reaction FaultLog::take_reaction()
 {
   return std::exchange(pending_, Reaction::note);
-}
-
-bool FaultLog::has(Fault fault) const
-{
-  return std::any_of(reported_.begin(), reported_.end(),
-                     [&](const auto& reported) { return reported[static_cast<std::size_t>(fault)]; });
 }
 
 void FaultLog::clear()

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "setpoint.h"
-
 namespace fourwis::can
 {
 namespace
@@ -17,7 +15,8 @@ constexpr double kLargestJump = 20.0 * M_PI / 180.0;
 
 Interlock::Interlock(const BridgeOptions& options)
   : tolerance_(options.aligned_tolerance), standstill_speed_(options.standstill_speed),
-    standstill_(options.standstill_time), aligned_(options.aligned_time), late_(options.alignment_timeout)
+    standstill_(options.standstill_time), aligned_(options.aligned_time), rolls_on_(options.stop_timeout),
+    late_(options.alignment_timeout)
 {
 }
 
@@ -25,6 +24,7 @@ void Interlock::reset(double now)
 {
   standstill_.reset();
   aligned_.reset();
+  rolls_on_.reset();
   late_.reset();
   stands_ = standstill_.holds(now);
   aligned_now_ = overdue_ = false;
@@ -38,7 +38,8 @@ WheelMotion Interlock::permit(const WheelCommand& command, const WheelMotion& me
   observe(command, measured, setpoint, now);
   phase_ = next_phase(command, measured, setpoint);
   if (phase_ != Phase::holding) mode_ = command.mode;
-  overdue_ = late_.update(phase_ == Phase::turning && !aligned_now_, now);
+  const bool waits = phase_ == Phase::holding && command.mode != Mode::none;
+  overdue_ = rolls_on_.update(waits, now) | late_.update(phase_ == Phase::turning && !aligned_now_, now);
   if (phase_ == Phase::holding) return {setpoint.angle, {}};
   if (phase_ == Phase::turning) return {command.motion.angle, {}};
   return command.motion;
@@ -48,17 +49,17 @@ void Interlock::observe(const WheelCommand& command, const WheelMotion& measured
                         double now)
 {
   const PerWheel& wanted = command.mode == Mode::none ? setpoint.angle : command.motion.angle;
-  if (largest_gap(wanted, commanded_) > tolerance_)
+  if (greatest_gap(wanted, commanded_) > tolerance_)
   {
     aligned_.reset();
     late_.reset();
   }
   commanded_ = wanted;
   // A base that steers by itself may be there before it is told to be.
-  const double gap = std::max(largest_gap(measured.angle, wanted), largest_gap(setpoint.angle, wanted));
+  const double gap = std::max(greatest_gap(measured.angle, wanted), greatest_gap(setpoint.angle, wanted));
   aligned_now_ = aligned_.update(gap <= tolerance_, now);
   stands_ = standstill_.update(
-    fastest(measured.speed) <= standstill_speed_ && fastest(setpoint.speed) <= standstill_speed_, now);
+    greatest_magnitude(measured.speed) <= standstill_speed_ && greatest_magnitude(setpoint.speed) <= standstill_speed_, now);
 }
 
 Interlock::Phase Interlock::next_phase(const WheelCommand& command, const WheelMotion& measured,
@@ -66,8 +67,8 @@ Interlock::Phase Interlock::next_phase(const WheelCommand& command, const WheelM
 {
   if (command.mode == Mode::none) return Phase::holding;
   const PerWheel& wanted = command.motion.angle;
-  const bool other = command.mode != mode_ || largest_gap(wanted, setpoint.angle) > kLargestJump;
-  const bool off = command.mode != mode_ || largest_gap(wanted, measured.angle) > tolerance_;
+  const bool other = command.mode != mode_ || greatest_gap(wanted, setpoint.angle) > kLargestJump;
+  const bool off = command.mode != mode_ || greatest_gap(wanted, measured.angle) > tolerance_;
   switch (phase_)
   {
     case Phase::holding: return stands_ ? Phase::turning : Phase::holding;

@@ -7,9 +7,9 @@
 namespace fourwis::can
 {
 
-/// Keeps wheels from turning while they roll and from rolling before they have turned. To another mode, or to angles far
-/// from those of the moment: brakes with the angles held, waits for standstill, turns the wheels, waits until they are
-/// aligned, drives.
+/// Keeps wheels from turning while they roll and from rolling before they have turned. To another mode, or to angles
+/// far from those of the moment: brakes with the angles held, waits for standstill, turns the wheels, waits until
+/// they are aligned, drives.
 class Interlock
 {
 public:
@@ -25,7 +25,7 @@ public:
   bool holding() const { return phase_ == Phase::holding; }
   /// Every wheel has stayed near the command's angle long enough to drive.
   bool aligned() const { return aligned_now_; }
-  /// The wheels stand and should have been aligned long ago.
+  /// The wheels should have come to rest, or should have been aligned, long ago.
   bool overdue() const { return overdue_; }
   /// The mode that the wheels stand for.
   Mode mode() const { return mode_; }
@@ -42,7 +42,8 @@ private:
   Phase next_phase(const WheelCommand& command, const WheelMotion& measured, const WheelMotion& setpoint) const;
 
   const double tolerance_, standstill_speed_;
-  Steady standstill_, aligned_, late_;
+  Steady standstill_, aligned_;
+  Steady rolls_on_, late_;  ///< does not come to rest; is not aligned
   bool stands_ = false, aligned_now_ = false, overdue_ = false;
   Phase phase_ = Phase::holding;
   Mode mode_ = Mode::none;

@@ -9,7 +9,8 @@
 namespace fourwis::can
 {
 
-/// Whether frames can leave: the interface is up, the controller is on the bus, the queue moves.
+/// Whether frames can leave: the interface is up, the controller is on the bus, the queue moves (within
+/// `feedback_timeout`).
 class LinkWatch
 {
 public:
@@ -18,10 +19,11 @@ public:
 
   void set_up(bool up, double now);
   void receive(const Frame& frame, double now);
-  /// Once a cycle, before anything new is put into the outbox.
+  /// Once a cycle, before anything new is put into the outbox. Where nobody is there to acknowledge, before the drives
+  /// are switched on, no queue moves: that is no fault of the link.
   void supervise(const Outbox& outbox, double now);
 
-  bool usable() const { return up_ && !bus_off_; }
+  bool usable() const { return up_ && !notice_.bus_off; }
   const ControllerNotice& notice() const { return notice_; }
 
 private:
@@ -30,7 +32,8 @@ private:
   FaultLog& log_;
   Steady blocked_;
   std::uint64_t sent_ = 0;
-  bool up_ = false, bus_off_ = false;
+  bool up_ = false;
+  bool heard_ = false;  ///< somebody has sent something since the interface is up
   ControllerNotice notice_;
 };
 

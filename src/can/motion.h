@@ -16,10 +16,16 @@ public:
   /// The base follows from now on; there is no command yet.
   void begin(double now);
 
+  /// Whatever was commanded is not followed any more.
+  void forget() { commands_.forget(); }
+
   /// The wheels are told to be where they are, at rest.
   void hold(const WheelMotion& measured, double now);
 
-  CommandWatch::Verdict take(const WheelCommand& command, double now) { return commands_.take(command, now); }
+  CommandWatch::Verdict take(const WheelCommand& command, double made, double now)
+  {
+    return commands_.take(command, made, now);
+  }
 
   /// Nearer to the newest command.
   void follow(const WheelMotion& measured, double now);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "setpoint.h"
+
 namespace fourwis::can
 {
 namespace
@@ -13,6 +15,8 @@ constexpr double kListenTime = 0.1, kAskPeriod = 0.1;
 constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
 /// Commands are not sent more often, but for stops; the base wants them every 20 ms [s].
 constexpr double kCommandPeriod = 0.015;
+/// It stands when all wheels are slower [m/s].
+constexpr double kStands = 0.01;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// Where the vehicle's state is a failure, and the identifiers of who else might command it.
 constexpr std::uint8_t kFailure = 2;
@@ -108,6 +112,11 @@ void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
   outbox.put(encode_ranger_motion(motion));
 }
 
+bool RangerBase::rolls() const
+{
+  return fastest(measured_.speed) > kStands;
+}
+
 AxisReport RangerBase::axis(int axis) const
 {
   AxisReport report;
@@ -116,6 +125,7 @@ AxisReport RangerBase::axis(int axis) const
                  : obeys() && follows_      ? DriveState::operation_enabled
                                             : DriveState::switched_on;
   report.statusword = state_.errors;
+  if (state_at_ != kNever) report.voltage = state_.voltage;
   const auto wheel = static_cast<std::size_t>(axis % kWheels);
   (axis < kWheels ? report.position : report.speed) =
     axis < kWheels ? measured_.angle[wheel] : measured_.speed[wheel];

@@ -9,8 +9,8 @@
 namespace fourwis::can
 {
 
-/// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no drives
-/// of its own to switch: out of operation it is told to stand.
+/// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no
+/// drives of its own to switch: out of operation it is told to stand.
 class RangerBase final : public BaseProtocol
 {
 public:
@@ -24,7 +24,7 @@ public:
   void end_cycle(double, Outbox&) override {}
 
   BaseStage stage() const override { return stage_; }
-  int first_in_operation() const override { return follows_ ? 0 : kNoAxis; }
+  int first_in_operation() const override { return follows_ || rolls() ? 0 : kNoAxis; }
   int first_out_of_operation() const override { return follows_ && obeys() ? kNoAxis : 0; }
   const WheelMotion& measured() const override { return measured_; }
   double measured_at() const override { return measured_at_; }
@@ -33,6 +33,7 @@ public:
 
 private:
   bool obeys() const { return state_.control == 1 && state_.vehicle == 0; }
+  bool rolls() const;
   bool take(const Frame& frame, double now);
   void supervise_start(double now, Outbox& outbox);
   void supervise_base(double now);

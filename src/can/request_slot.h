@@ -21,8 +21,8 @@ public:
     clear_faults
   };
 
-  /// `wake`: told when there is a request.
-  explicit RequestSlot(SignalEvent& wake) : wake_(wake) {}
+  /// `wake`: told when there is a request. `patience`: a request that was not taken after so long is withdrawn [s].
+  explicit RequestSlot(SignalEvent& wake, double patience = 1.0) : wake_(wake), patience_(patience) {}
 
   /// Asks, and waits for the answer; empty when it is accepted.
   std::string ask(Request request)
@@ -31,7 +31,11 @@ public:
     answered_.clear();
     request_.store(request);
     wake_.raise();
-    if (!answered_.wait(kPatience)) return "the bridge does not answer";
+    bool answered = answered_.wait(patience_);
+    const bool withdrawn = !answered && request_.exchange(Request::none) != Request::none;
+    if (withdrawn) return "the bridge does not answer";
+    // Or else it has been taken, and the answer is on its way.
+    while (!answered) answered = answered_.wait(patience_);
     const char* refusal = answer_.load();
     return refusal ? refusal : "";
   }
@@ -47,9 +51,8 @@ public:
   }
 
 private:
-  static constexpr double kPatience = 1.0;  ///< [s]
-
   SignalEvent& wake_;
+  const double patience_;
   SignalEvent answered_;
   std::mutex mutex_;
   std::atomic<Request> request_{Request::none};

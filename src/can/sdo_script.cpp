@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "fourwis_navigation/can/cia301.h"
 
@@ -26,6 +26,7 @@ constexpr std::uint32_t kQuickStop = 3, kRampThenDisable = 2, kBecomeStopped = 2
 constexpr double kSteeringStopTime = 0.2;
 /// Homing is this much slower than steering, and once more for the search of the zero.
 constexpr double kHomingSlowness = 10.0;
+constexpr double kMostCounts = std::numeric_limits<std::uint32_t>::max();
 
 SdoStep write(ObjectId object, std::uint32_t value, int size)
 {
@@ -58,6 +59,13 @@ SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault refusal)
   return step;
 }
 
+/// 0: anything, but something.
+SdoStep expect_identity(ObjectId object, double number)
+{
+  const auto value = static_cast<std::uint32_t>(number);
+  return expect(value != 0 ? Kind::expect_equal : Kind::expect_bits, object, value, Fault::wrong_device);
+}
+
 std::uint32_t bit_of(OperationMode mode)
 {
   return 1u << (static_cast<int>(mode) - 1);
@@ -71,7 +79,7 @@ std::uint32_t milliseconds(double seconds)
 /// A positive number of counts for objects that have no sign.
 std::uint32_t magnitude(const AxisScale& scale, double rate)
 {
-  return static_cast<std::uint32_t>(std::max(1, std::abs(scale.to_rate_counts(rate))));
+  return static_cast<std::uint32_t>(std::clamp(std::round(std::abs(rate * scale.counts_per_unit())), 1.0, kMostCounts));
 }
 
 /// `parameters` 14xx or 18xx, `mapping` 16xx or 1Axx.
@@ -105,8 +113,8 @@ void add_watchdogs(SdoScript& script, const BridgeOptions& options)
   script.push_back(write({0x6007, 0}, kQuickStop, 2));
   script.push_back(write({0x1029, 1}, kBecomeStopped, 1));
   script.push_back(write({0x1017, 0}, milliseconds(options.heartbeat_period), 2));
-  script.push_back(write({0x1016, 1},
-                         static_cast<std::uint32_t>(options.master_node) << 16 | milliseconds(options.drive_watchdog), 4));
+  const auto master = static_cast<std::uint32_t>(options.master_node);
+  script.push_back(write({0x1016, 1}, master << 16 | milliseconds(options.drive_watchdog), 4));
 }
 
 void add_cycle_time(SdoScript& script, const BridgeOptions& options)
@@ -116,12 +124,12 @@ void add_cycle_time(SdoScript& script, const BridgeOptions& options)
   script.back().compared = 0xFF;
 }
 
-void add_ramps(SdoScript& script, const AxisScale& scale, double speed, double acceleration, double deceleration)
+void add_ramps(SdoScript& script, const AxisScale& scale, const Ramps& ramps)
 {
-  script.push_back(write_if_there({0x6081, 0}, magnitude(scale, speed), 4));
-  script.push_back(write_if_there({0x6083, 0}, magnitude(scale, acceleration), 4));
-  script.push_back(write_if_there({0x6084, 0}, magnitude(scale, acceleration), 4));
-  script.push_back(write({0x6085, 0}, magnitude(scale, deceleration), 4));
+  script.push_back(write_if_there({0x6081, 0}, magnitude(scale, ramps.speed), 4));
+  script.push_back(write_if_there({0x6083, 0}, magnitude(scale, ramps.acceleration), 4));
+  script.push_back(write_if_there({0x6084, 0}, magnitude(scale, ramps.acceleration), 4));
+  script.push_back(write({0x6085, 0}, magnitude(scale, ramps.deceleration), 4));
 }
 
 void add_travel(SdoScript& script, const AxisScale& scale, double max_angle)
@@ -150,6 +158,13 @@ OperationMode working_mode(const BridgeOptions& options, bool steering)
   return options.driving_mode == DrivingMode::cyclic ? OperationMode::cyclic_velocity : OperationMode::profile_velocity;
 }
 
+Ramps ramps_of(const Robot& robot, const BridgeOptions& options, bool steering)
+{
+  const double steering_stop = robot.wheel_max_rate / kSteeringStopTime;
+  if (steering) return {robot.wheel_max_rate, steering_stop, steering_stop};
+  return {robot.wheel_max_speed, options.max_acceleration, options.stop_deceleration};
+}
+
 AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool steering)
 {
   return steering ? AxisScale::steering(axis) : AxisScale::driving(axis, options.wheel_radius);
@@ -158,29 +173,26 @@ AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool s
 SdoScript identification_script(const BridgeOptions& options, bool steering)
 {
   SdoScript script;
-  const auto vendor = static_cast<std::uint32_t>(options.vendor_id), product = static_cast<std::uint32_t>(options.product_code);
-  script.push_back(expect(vendor != 0 ? Kind::expect_equal : Kind::expect_bits, {0x1018, 1}, vendor, Fault::wrong_device));
-  script.push_back(expect(product != 0 ? Kind::expect_equal : Kind::expect_bits, {0x1018, 2}, product, Fault::wrong_device));
+  script.push_back(expect_identity({0x1018, 1}, options.vendor_id));
+  script.push_back(expect_identity({0x1018, 2}, options.product_code));
   std::uint32_t modes = bit_of(working_mode(options, steering));
   if (steering && options.homing) modes |= bit_of(OperationMode::homing);
   script.push_back(expect(Kind::expect_bits, {0x6502, 0}, modes, Fault::mode_unsupported));
   return script;
 }
 
-SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering)
+SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
+                               bool steering)
 {
   const AxisScale scale = scale_of(options, axis, steering);
-  const double steering_stop = robot.wheel_max_rate / kSteeringStopTime;
   SdoScript script;
   add_pdos(script, axis.node, steering);
+  add_ramps(script, scale, ramps_of(robot, options, steering));
   if (steering)
   {
-    add_ramps(script, scale, robot.wheel_max_rate, steering_stop, steering_stop);
     add_travel(script, scale, robot.wheel_max_angle);
     if (options.homing) add_homing(script, scale, options.homing_method, robot.wheel_max_rate);
   }
-  else
-    add_ramps(script, scale, robot.wheel_max_speed, options.max_acceleration, options.stop_deceleration);
   add_cycle_time(script, options);
   add_watchdogs(script, options);
   return script;

@@ -36,10 +36,20 @@ using SdoScript = std::vector<SdoStep>;
 SdoScript identification_script(const BridgeOptions& options, bool steering);
 
 /// Its PDOs, its watchdogs, its ramps and limits.
-SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering);
+SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
+                               bool steering);
 
 /// The mode it will work in.
 OperationMode working_mode(const BridgeOptions& options, bool steering);
+
+/// How fast a drive may become, and how hard it may change its speed where it does so by its own ramps.
+struct Ramps
+{
+  double speed = 0.0;         ///< [rad/s or m/s]
+  double acceleration = 0.0;  ///< also of braking [rad/s^2 or m/s^2]
+  double deceleration = 0.0;  ///< of a quick stop
+};
+Ramps ramps_of(const Robot& robot, const BridgeOptions& options, bool steering);
 
 /// What its counts mean.
 AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool steering);

@@ -7,8 +7,8 @@ namespace fourwis::can
 {
 
 /// Where the wheels are told to be at the moment, on the way to where they should be: no angle turns faster, no wheel
-/// accelerates harder or rolls faster than it may. The speeds of the four wheels change by one factor, so that they keep
-/// their proportions.
+/// accelerates harder or rolls faster than it may. The speeds of the four wheels change by one factor, so that they
+/// keep their proportions.
 class Setpoint
 {
 public:
@@ -32,11 +32,5 @@ private:
   double max_angle_, max_rate_, max_speed_, max_acceleration_, stop_deceleration_;
   WheelMotion now_;
 };
-
-/// The speed of the fastest wheel [m/s].
-double fastest(const PerWheel& speed);
-
-/// The greatest difference of two wheels' angles [rad]; a full turn is one.
-double largest_gap(const PerWheel& a, const PerWheel& b);
 
 }  // namespace fourwis::can

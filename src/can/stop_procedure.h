@@ -6,8 +6,8 @@
 namespace fourwis::can
 {
 
-/// Brings a base to rest and then its drives out of operation: the wheels roll out with their angles held, and when they
-/// stand, or after too long, the drives are disabled.
+/// Brings a base to rest and then its drives out of operation: the wheels roll out with their angles held, and when
+/// they stand, or after too long, the drives are disabled.
 class StopProcedure
 {
 public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fourwis
 {
@@ -40,7 +41,8 @@ void add_rows(const Polytope& region, double offset, int knot, double weight, Se
   }
 }
 
-/// The wheels' rows of each interval, and those of the inner knots: each is bound by the regions of both its intervals.
+/// The wheels' rows and the way's of each interval, and those of the inner knots: each is bound by the regions of both
+/// its intervals.
 void set_rows(const Segment& segment, const Corridor& corridor, double weight, SegmentModel& model, Problem& problem)
 {
   const std::size_t n = segment.intervals();
@@ -49,6 +51,7 @@ void set_rows(const Segment& segment, const Corridor& corridor, double weight, S
   for (std::size_t k = 0; k < n; ++k)
   {
     for (int i = 0; i < WheelRateRows::kRows; ++i) problem.add_row(static_cast<int>(k), {0.0});
+    problem.add_row(static_cast<int>(k), {0.0, weight});
     model.first_row[k] = model.disc_rows.size();
     if (k == 0) continue;
     for (std::size_t interval : {k - 1, k})
@@ -119,12 +122,33 @@ void SegmentModel::differentiate(int, const State& x, const Control& u, const St
   add_symmetric(d, OMEGA, H, 2.0 * alpha * v * v * omega);
 }
 
+/// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2: where the robot has time to steer, it is not to use it for
+/// going far between two knots, out of what regions and chords know of.
+void SegmentModel::differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const
+{
+  const double v = q[3], a = q[5], h = q[7], scale = 2.0 / (reach * reach);
+  const double way = way_of(q);
+  RowPoint slope = RowPoint::Zero();
+  slope[3] = h;
+  slope[5] = 0.5 * h * h;
+  slope[7] = v + a * h;
+  gradients.col(WheelRateRows::kRows) = scale * way * slope;
+  hessian += y * scale * RowHessian(slope * slope.transpose());
+  hessian(7, 7) += y * scale * way * a;
+  for (const auto& [i, value] : {std::pair(3, 1.0), std::pair(5, h)})
+  {
+    hessian(i, 7) += y * scale * way * value;
+    hessian(7, i) += y * scale * way * value;
+  }
+}
+
 void SegmentModel::rows(int k, const RowPoint& q, ocp::RowValues values) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
   const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
   wheel_rates.evaluate(q, values.data());
-  for (Eigen::Index i = WheelRateRows::kRows; i < values.size(); ++i, ++row)
+  values[WheelRateRows::kRows] = way_of(q) * way_of(q) / (reach * reach) - 1.0;
+  for (Eigen::Index i = kWideRows; i < values.size(); ++i, ++row)
     values[i] = row->plane.a * (q[0] + row->offset * c) + row->plane.b * (q[1] + row->offset * s);
 }
 
@@ -134,7 +158,8 @@ void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipli
   const double c = std::cos(q[2]), s = std::sin(q[2]);
   const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
   wheel_rates.differentiate(q, y, gradients, hessian);
-  for (Eigen::Index i = WheelRateRows::kRows; i < y.size(); ++i, ++row)
+  differentiate_way(q, y[WheelRateRows::kRows], gradients, hessian);
+  for (Eigen::Index i = kWideRows; i < y.size(); ++i, ++row)
   {
     const double a = row->plane.a, b = row->plane.b, o = row->offset;
     gradients.col(i).head<3>() << a, b, o * (b * c - a * s);
@@ -154,6 +179,7 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   problem.model.alpha = options.steering_comfort;
   problem.model.interval_weight = options.interval_weight;
   problem.model.h_ref = length / limits.speed / static_cast<double>(n);
+  problem.model.reach = options.longest_interval * length / static_cast<double>(n);
 
   Problem& numbers = problem.numbers;
   numbers.reset(static_cast<int>(n));

@@ -26,7 +26,7 @@ struct DiscRow
 };
 
 /// The functions of a segment's problem, x = (x, y, theta, v, phi), u = (a, omega, h).
-struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows>
+struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows + 1>
 {
   SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode), wheel_rates(robot, mode) {}
 
@@ -36,8 +36,13 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows>
   void differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
                           RowHessian& hessian) const;
 
+  /// How far C moves within an interval [m].
+  static double way_of(const RowPoint& q) { return q[7] * (q[3] + 0.5 * q[5] * q[7]); }
+  void differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const;
+
   SimpsonDynamics dynamics;
   WheelRateRows wheel_rates;           ///< the first rows of each interval
+  double reach = 1.0;                  ///< most that C moves within an interval [m]: the row after them
   double alpha = 0.0, interval_weight = 0.0, h_ref = 0.0;
   std::vector<DiscRow> disc_rows;      ///< stage by stage
   std::vector<std::size_t> first_row;  ///< of each stage in disc_rows

@@ -65,6 +65,8 @@ void add_drives(Table& table)
   table.push_back({"driving_mode", one_of(&BridgeOptions::driving_mode, {"cyclic", "profile"})});
   table.push_back({"vendor_id", bridge(&BridgeOptions::vendor_id), 0.0, 4294967295.0});
   table.push_back({"product_code", bridge(&BridgeOptions::product_code), 0.0, 4294967295.0});
+  table.push_back({"temperature_object", bridge(&BridgeOptions::temperature_object), 0.0, 16777215.0});
+  table.push_back({"temperature_unit", bridge(&BridgeOptions::temperature_unit), 0.001, 100.0, "deg C"});
   table.push_back({"homing", bridge(&BridgeOptions::homing)});
   table.push_back({"homing_method", bridge(&BridgeOptions::homing_method), -128, 127});
 }

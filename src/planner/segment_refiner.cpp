@@ -15,7 +15,7 @@ namespace
 /// Accuracy of the rounds before the last, and of the last.
 constexpr double kRoughTolerance = 1e-2, kFineTolerance = 1e-6;
 /// A region that lets a disc come closer to an obstacle than the first is shrunk so that it keeps the second [m].
-constexpr double kLeastClearance = 0.001, kWantedClearance = 0.003;
+constexpr double kLeastClearance = 0.0006, kWantedClearance = 0.003;
 /// The exact motion from one point may miss the next by this much before the knots are put closer together [m].
 constexpr double kMostRolloutMiss = 0.004;
 

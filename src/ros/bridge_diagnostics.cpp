@@ -1,5 +1,7 @@
 #include "fourwis_navigation/ros/bridge_diagnostics.h"
 
+#include <cmath>
+
 #include <ros/node_handle.h>
 
 namespace fourwis
@@ -39,7 +41,8 @@ signed char level_of(const can::AxisReport& axis)
 {
   if (axis.drive == can::DriveState::fault || axis.drive == can::DriveState::fault_reaction)
     return DiagnosticStatus::ERROR;
-  return axis.drive == can::DriveState::unknown || axis.emergency != 0 ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+  const bool warns = axis.emergency != 0 || (axis.statusword & can::status_bit::warning) != 0;
+  return warns || axis.drive == can::DriveState::unknown ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
 }
 
 }  // namespace
@@ -110,6 +113,8 @@ void BridgeDiagnostics::report_axis(int index, DiagnosticStatusWrapper& status) 
   status.addf("last emergency", "0x%04x", axis.emergency);
   status.add(index < kWheels ? "angle [rad]" : "rolled [m]", axis.position);
   status.add(index < kWheels ? "rate [rad/s]" : "speed [m/s]", axis.speed);
+  if (std::isfinite(axis.voltage)) status.add("supply [V]", axis.voltage);
+  if (std::isfinite(axis.temperature)) status.add("temperature [deg C]", axis.temperature);
 }
 
 }  // namespace fourwis

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "fourwis_navigation/can/real_time.h"
+
 namespace fourwis
 {
 
@@ -20,10 +22,10 @@ can::BridgeUpdate BridgeMonitor::newest() const
 
 bool BridgeMonitor::wait_for(const std::function<bool(const can::BridgeUpdate&)>& condition, double timeout)
 {
+  const double begin = can::monotonic_now();
   std::unique_lock<std::mutex> lock(mutex_);
-  const std::uint64_t begin = newest_.cycles;
   return changed_.wait_for(lock, std::chrono::duration<double>(timeout),
-                           [&] { return newest_.cycles > begin && condition(newest_); });
+                           [&] { return newest_.time > begin && condition(newest_); });
 }
 
 }  // namespace fourwis

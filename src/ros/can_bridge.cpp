@@ -1,5 +1,8 @@
 #include "fourwis_navigation/ros/can_bridge.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <ros/console.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
@@ -20,6 +23,9 @@ constexpr double kReserve = 1.0;
 /// How long the publisher waits for a cycle before it looks whether it is to end [s].
 constexpr double kPatience = 0.2;
 
+/// So that a release of the emergency stop does not push out its press.
+constexpr std::uint32_t kEmergencyStopQueue = 100;
+
 bool is_enabling(BridgeStage stage)
 {
   return stage == BridgeStage::enabling || stage == BridgeStage::home;
@@ -36,22 +42,38 @@ CanBridge::CanBridge(const CanBridgeParameters& parameters)
   advertise("enable", [this] { return enable(); });
   advertise("disable", [this] { return disable(); });
   advertise("clear_faults", [this] { return bridge_.clear_faults(); });
+  subscribe();
+  publisher_ = std::thread([this] { publish_updates(); });
+}
+
+void CanBridge::subscribe()
+{
   ros::NodeHandle node;
+  node.setCallbackQueue(&command_queue_);
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // A queue of one: an older command is worth nothing.
   commands_ = node.subscribe<fourwis_navigation::WheelCommands>(
     "wheel_commands", 1, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
     nullptr, hints);
   emergency_stop_ = node.subscribe<std_msgs::Bool>(
-    "emergency_stop", 1, [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); },
-    nullptr, hints);
-  publisher_ = std::thread([this] { publish_updates(); });
+    "emergency_stop", kEmergencyStopQueue,
+    [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); }, nullptr, hints);
+  command_spinner_.start();
 }
 
 CanBridge::~CanBridge()
 {
   end_ = true;
   publisher_.join();
+}
+
+void CanBridge::end()
+{
+  {
+    const std::lock_guard<std::mutex> lock(enabling_);
+    ending_ = true;
+  }
+  stop();
 }
 
 void CanBridge::stop()
@@ -63,10 +85,11 @@ void CanBridge::stop()
 
 void CanBridge::on_command(const fourwis_navigation::WheelCommands& message)
 {
-  const ros::Duration age = message.header.stamp.isZero() ? ros::Duration(0) : ros::Time::now() - message.header.stamp;
-  if (age.toSec() <= options_.command_timeout) return bridge_.command(to_command(message));
+  // In seconds: the difference of two wild stamps is more than a ros::Duration holds, which throws.
+  const double age = message.header.stamp.isZero() ? 0.0 : ros::Time::now().toSec() - message.header.stamp.toSec();
+  if (std::abs(age) <= options_.command_timeout) return bridge_.command(to_command(message), std::max(age, 0.0));
   diagnostics_.late_command();
-  ROS_WARN_THROTTLE(1.0, "wheel_commands: %.3f s old, not taken", age.toSec());
+  ROS_WARN_THROTTLE(1.0, "wheel_commands: %.3f s old, not taken", age);
 }
 
 void CanBridge::publish_updates()
@@ -81,20 +104,32 @@ void CanBridge::publish_updates()
 
 void CanBridge::publish(const BridgeUpdate& update)
 {
-  const ros::Duration age(can::monotonic_now() - update.wheels.stamp);
   const ros::Time now = ros::Time::now();
-  // Nothing has been measured yet; or simulated time has not begun.
-  if (update.wheels.stamp == 0.0 || now.toSec() <= age.toSec()) return;
-  topics_.publish(now - age, update.wheels, explanation(update.report));
+  if (now.isZero()) return;  // simulated time has not begun
+  const double age = can::monotonic_now() - update.wheels.stamp;
+  WheelState wheels = update.wheels;
+  // Without anything new from the wheels there is no odometry, but still a state to be told.
+  const bool is_new = wheels.stamp > measured_ && now.toSec() > age;
+  if (!is_new) wheels.motion.speed = {};
+  topics_.set_silence({!is_new, false});
+  topics_.publish(is_new ? now - ros::Duration(age) : now, wheels, explanation(update.report));
+  measured_ = wheels.stamp;
 }
 
 std::string CanBridge::enable()
 {
-  const std::string refusal = bridge_.enable();
+  const std::string refusal = ask_to_enable();
   if (!refusal.empty()) return refusal;
   const double patience = options_.enable_timeout + (options_.homing ? options_.homing_timeout : 0.0) + kReserve;
   monitor_.wait_for([](const BridgeUpdate& update) { return !is_enabling(update.report.stage); }, patience);
   return explanation(monitor_.newest().report);
+}
+
+/// What is accepted here has been accepted before the node begins to end.
+std::string CanBridge::ask_to_enable()
+{
+  const std::lock_guard<std::mutex> lock(enabling_);
+  return ending_ ? "the node is ending" : bridge_.enable();
 }
 
 std::string CanBridge::disable()

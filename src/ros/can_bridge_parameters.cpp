@@ -8,9 +8,7 @@ namespace
 CanBridgeNodeOptions node_options(KeyReader& reader)
 {
   CanBridgeNodeOptions options;
-  options.frames.odom_frame = reader.frame("odom_frame");
-  options.frames.robot_base_frame = reader.frame("robot_base_frame");
-  options.frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  options.frames = base_frames_from(reader);
   options.real_time_priority = reader.count("real_time_priority", 0, 99, "");
   return options;
 }

@@ -21,9 +21,7 @@ BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
   BaseSimulatorNodeOptions options;
   options.bus = reader.text("bus");
   options.global_frame = reader.frame("global_frame");
-  options.frames.odom_frame = reader.frame("odom_frame");
-  options.frames.robot_base_frame = reader.frame("robot_base_frame");
-  options.frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  options.frames = base_frames_from(reader);
   options.frames.wheel_radius = reader.number("wheel_radius", 0.01, 10.0, "m");
   options.publish_frequency = reader.number("publish_frequency", 1.0, 1000.0, "Hz");
   options.transform_tolerance = reader.number("transform_tolerance", 0.0, 10.0, "s");
@@ -37,6 +35,15 @@ BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
 }
 
 }  // namespace
+
+BaseFrames base_frames_from(KeyReader& reader)
+{
+  BaseFrames frames;
+  frames.odom_frame = reader.frame("odom_frame");
+  frames.robot_base_frame = reader.frame("robot_base_frame");
+  frames.publish_odom_tf = reader.flag("publish_odom_tf");
+  return frames;
+}
 
 MpcControllerParameters mpc_controller_parameters_from(const ParameterMap& parameters)
 {

@@ -104,6 +104,7 @@ void add_motion(ObjectDictionary& objects, const DriveOptions& options)
   objects.add({object::kPositionActual, 0}, status(4, kLow32));
   objects.add({object::kVelocityActual, 0}, status(4, kLow32));
   objects.add({object::kTorqueActual, 0}, status(2, -32768));
+  objects.add({object::kSupplyVoltage, 0}, constant(4, 48000));  // [mV]
   objects.add({object::kTargetPosition, 0}, command(4, kLow32, kHigh32));
   objects.add({object::kTargetVelocity, 0}, command(4, kLow32, kHigh32));
   objects.add({object::kFollowingWindow, 0}, setting(4, whole(options.following_window), 0, kMost32));
@@ -136,7 +137,7 @@ const std::vector<std::int64_t>* values_known(std::uint16_t index)
     {object::kQuickStopOption, {0, 1, 2, 5, 6}},
     {object::kHaltOption, {1, 2}},
     {object::kFaultReactionOption, {0, 1, 2}},
-    {object::kHomingMethod, {0, 35, 37}},
+    {object::kHomingMethod, {0, 34, 35, 37}},
     {object::kMode, {kNone, kProfilePosition, kProfileVelocity, kHoming, kCyclicPosition, kCyclicVelocity}}};
   const auto found = known.find(index);
   return found == known.end() ? nullptr : &found->second;

@@ -8,7 +8,8 @@
 namespace fourwis::sim
 {
 
-/// Homing mode with the methods that do not move: 35 and 37, the position now counts as the home offset 607C.
+/// Homing mode with methods that do not move: 35 and 37, and 34 with the index pulse right where the motor stands. The
+/// position now counts as the home offset 607C.
 class Homing
 {
 public:

@@ -13,13 +13,6 @@ namespace
 /// Sums of steps count as reached although rounding leaves them a little short [s].
 constexpr double kRounding = 1e-9;
 
-double greatest_gap(const PerWheel& a, const PerWheel& b)
-{
-  PerWheel gap{};
-  for (std::size_t i = 0; i < kWheels; ++i) gap[i] = a[i] - b[i];
-  return greatest_magnitude(gap);
-}
-
 }  // namespace
 
 Interlock::Interlock(const InterlockOptions& options) : options_(options)

@@ -10,8 +10,9 @@
 namespace fourwis::can
 {
 
-/// A base that speaks the Ranger protocol, from raw bytes: takes half a second to change its mode, has its wheels where they
-/// should be at once, stops 500 ms after the last command. Its own sense of the modes' geometry, L 0.68 m, W 0.52 m.
+/// A base that speaks the Ranger protocol, from raw bytes: takes half a second to change its mode, has its wheels
+/// where they should be at once, stops 500 ms after the last command. Its own sense of the modes' geometry, L 0.68 m,
+/// W 0.52 m.
 class FakeRanger
 {
 public:

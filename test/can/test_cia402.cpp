@@ -16,8 +16,10 @@ TEST(Cia402, TheStatuswordTellsTheState)
 {
   using S = DriveState;
   const std::map<int, S> table = {
-    {0x00, S::not_ready},          {0x20, S::not_ready},      {0x40, S::switch_on_disabled}, {0x60, S::switch_on_disabled},
-    {0x21, S::ready_to_switch_on}, {0x23, S::switched_on},    {0x27, S::operation_enabled},  {0x07, S::quick_stop_active},
+    {0x00, S::not_ready},          {0x20, S::not_ready},
+    {0x40, S::switch_on_disabled}, {0x60, S::switch_on_disabled},
+    {0x21, S::ready_to_switch_on}, {0x23, S::switched_on},
+    {0x27, S::operation_enabled},  {0x07, S::quick_stop_active},
     {0x0F, S::fault_reaction},     {0x2F, S::fault_reaction}, {0x08, S::fault},              {0x28, S::fault}};
   for (int word = 0; word <= 0xFFFF; ++word)
   {
@@ -74,7 +76,10 @@ TEST(Cia402, EveryHealthyDriveReachesItsGoalAndStaysThere)
 TEST(Cia402, KeepingNeverEnables)
 {
   for (const DriveState state : kHealthy)
-    EXPECT_EQ(after(state, PowerGoal::keep, 5) == DriveState::operation_enabled, state == DriveState::operation_enabled);
+  {
+    const bool enabled = state == DriveState::operation_enabled;
+    EXPECT_EQ(after(state, PowerGoal::keep, 5) == DriveState::operation_enabled, enabled);
+  }
 }
 
 TEST(Cia402, QuickStopEndsOperationAtOnce)
@@ -143,7 +148,8 @@ TEST(Cia402, CommandsThereAndBackAreTheSame)
   Random random(5);
   for (int i = 0; i < 20000; ++i)
   {
-    const int word = random.whole(0, 0xFFFF), target = random.whole(-2147483647, 2147483647), node = random.whole(1, 127);
+    const int word = random.whole(0, 0xFFFF), node = random.whole(1, 127);
+    const int target = random.whole(-2147483647, 2147483647);
     const Frame frame =
       encode_drive_command(node, {static_cast<std::uint16_t>(word), OperationMode::homing, target});
     const std::vector<int> bytes(frame.data.begin(), frame.data.begin() + frame.size);

@@ -37,9 +37,18 @@ TEST(FaultLog, TellsAFaultOfAnAxisOnceUntilItIsCleared)
   log.report(Fault::heartbeat_lost, 4, 0, 2.0);
   EXPECT_EQ(log.take_reaction(), Reaction::latch);
   log.clear();
-  EXPECT_FALSE(log.has(Fault::heartbeat_lost));
   log.report(Fault::heartbeat_lost, 3, 0, 3.0);
   EXPECT_EQ(log.take_reaction(), Reaction::latch);
+}
+
+TEST(FaultLog, TellsEachTimeThatTheBusIsLost)
+{
+  FaultLog log;
+  for (const Fault lost : {Fault::link_down, Fault::bus_off, Fault::link_down})
+  {
+    log.report(lost, kNoAxis, 0, 1.0);
+    EXPECT_EQ(log.take_reaction(), Reaction::restart);
+  }
 }
 
 TEST(FaultLog, TheCauseIsTheFirstOfTheStrongestAndTheHistoryHasTheNewestFirst)

@@ -39,6 +39,7 @@ protected:
     else
       setpoint_.approach(target, kCycle);
     if (!stuck_) wheels_ = setpoint_.value();
+    wheels_.speed[2] += creep_;
   }
 
   /// Cycles until the condition holds; their time, or a minute.
@@ -49,13 +50,14 @@ protected:
     return now_ - begin;
   }
 
-  double speed() const { return fastest(wheels_.speed); }
+  double speed() const { return greatest_magnitude(wheels_.speed); }
 
   Robot robot_;
   Interlock interlock_{kOptions};
   Setpoint setpoint_{robot_, kOptions};
   WheelMotion wheels_;
   bool stuck_ = false;
+  double creep_ = 0.0;  ///< of one wheel, whatever it is told [m/s]
   double now_ = 0.0;
 };
 
@@ -128,7 +130,20 @@ TEST_F(InterlockedWheels, WheelsThatDoNotTurnAreOverdueAndNeverDriven)
   stuck_ = true;
   const double late = time_until(command(Mode::lateral, 1.5, 0.5), [&] { return interlock_.overdue(); });
   EXPECT_NEAR(late, kOptions.standstill_time + kOptions.alignment_timeout, 5 * kCycle);
-  EXPECT_EQ(fastest(setpoint_.value().speed), 0.0);
+  EXPECT_EQ(greatest_magnitude(setpoint_.value().speed), 0.0);
+}
+
+TEST_F(InterlockedWheels, ThatDoNotComeToRestAreOverdueAndNeverTurned)
+{
+  time_until(command(Mode::ackermann, 0.0, 0.5), [&] { return speed() >= 0.5; });
+  creep_ = 1.2 * kOptions.standstill_speed;
+  const double late = time_until(command(Mode::lateral, 1.5, 0.5), [&] { return interlock_.overdue(); });
+  EXPECT_NEAR(late, kOptions.stop_timeout, 5 * kCycle);
+  EXPECT_EQ(setpoint_.value().angle[0], 0.0);
+  // A stop is over whenever the wheels stand.
+  time_until(command(Mode::none, 0.0, 0.0), [&] { return !interlock_.overdue(); });
+  for (int i = 0; i < 1000; ++i) cycle(command(Mode::none, 0.0, 0.0));
+  EXPECT_FALSE(interlock_.overdue());
 }
 
 }  // namespace

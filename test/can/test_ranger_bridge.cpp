@@ -32,7 +32,7 @@ protected:
     if (commands_ && ticks_ % 20 == 7)
     {
       ++wanted_.sequence;
-      bridge_.command(wanted_, now());
+      bridge_.command(wanted_, now(), now());
       connection_.flush(now());
     }
     connection_.exchange(now());

@@ -21,7 +21,8 @@ TEST(RangerMotion, IsTheSameWhicheverBranchesTheWheelsAreOn)
   for (int i = 0; i < 2000; ++i)
     for (const Mode mode : {Mode::ackermann, Mode::lateral, Mode::parallel, Mode::spin})
     {
-      const double phi = mode == Mode::parallel ? random.between(-1.4, 1.4) : mode == Mode::ackermann ? random.between(-0.5, 0.5) : 0.0;
+      const double most = mode == Mode::parallel ? 1.4 : mode == Mode::ackermann ? 0.5 : 0.0;
+      const double phi = random.between(-most, most);
       const WheelMotion wheels = wheel_motion(kRobot, mode, random.between(-1.0, 1.0), phi);
       WheelMotion flipped = wheels;
       for (std::size_t w = 0; w < kWheels; ++w)

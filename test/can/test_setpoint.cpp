@@ -33,10 +33,10 @@ TEST(Setpoint, KeepsAllLimitsWhateverItIsTold)
     const WheelMotion before = setpoint.value();
     setpoint.approach({random_wheels(random, 4.0), random_wheels(random, 5.0)}, kCycle);
     const WheelMotion& after = setpoint.value();
-    EXPECT_LE(largest_gap(after.angle, before.angle), kRobot.wheel_max_rate * kCycle + kRounding);
-    EXPECT_LE(largest_gap(after.speed, before.speed), kOptions.max_acceleration * kCycle + kRounding);
-    EXPECT_LE(fastest(after.speed), kRobot.wheel_max_speed + kRounding);
-    EXPECT_LE(fastest(after.angle), kRobot.wheel_max_angle + kRounding);
+    EXPECT_LE(greatest_gap(after.angle, before.angle), kRobot.wheel_max_rate * kCycle + kRounding);
+    EXPECT_LE(greatest_gap(after.speed, before.speed), kOptions.max_acceleration * kCycle + kRounding);
+    EXPECT_LE(greatest_magnitude(after.speed), kRobot.wheel_max_speed + kRounding);
+    EXPECT_LE(greatest_magnitude(after.angle), kRobot.wheel_max_angle + kRounding);
   }
 }
 
@@ -49,8 +49,8 @@ TEST(Setpoint, ReachesWhatIsPossibleAndStaysThere)
     setpoint.hold({random_wheels(random, 2.7), {}});
     const WheelMotion target{random_wheels(random, 2.7), random_wheels(random, 1.9)};
     for (int cycle = 0; cycle < 200; ++cycle) setpoint.approach(target, kCycle);
-    EXPECT_LT(largest_gap(setpoint.value().angle, target.angle), kRounding);
-    EXPECT_LT(largest_gap(setpoint.value().speed, target.speed), kRounding);
+    EXPECT_LT(greatest_gap(setpoint.value().angle, target.angle), kRounding);
+    EXPECT_LT(greatest_gap(setpoint.value().speed, target.speed), kRounding);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(Setpoint, AControlledStopComesToRestInTheTimeOfItsDecelerationWithTheAngles
     EXPECT_NEAR(setpoint.value().speed[1], setpoint.value().speed[0] / 2.0, kRounding);
   }
   setpoint.ramp_down(kCycle);
-  EXPECT_EQ(fastest(setpoint.value().speed), 0.0);
+  EXPECT_EQ(greatest_magnitude(setpoint.value().speed), 0.0);
   EXPECT_EQ(setpoint.value().angle, before.angle);
 }
 

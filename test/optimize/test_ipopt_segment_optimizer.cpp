@@ -104,7 +104,7 @@ TEST_F(IpoptSegmentOptimizerTest, TakesAsLongAsTheStructuredSolver)
 {
   std::array<int, 4> solved = {};
   int count = 0, both = 0, same = 0;
-  for_segments(30, [&](const Segment& segment, const Corridor& corridor) {
+  for_segments(70, [&](const Segment& segment, const Corridor& corridor) {
     const SegmentSolution one = structured.solve(segment, corridor, nullptr, {}, kTolerance, {});
     const SegmentSolution other = ipopt.solve(segment, corridor, nullptr, {}, kTolerance, {});
     ++count;

@@ -52,6 +52,8 @@ Subject<BridgeOptions> subject_of()
                       {"driving_mode", [](const O& o) { return double(o.driving_mode); }},
                       {"vendor_id", [](const O& o) { return o.vendor_id; }},
                       {"product_code", [](const O& o) { return o.product_code; }},
+                      {"temperature_object", [](const O& o) { return o.temperature_object; }},
+                      {"temperature_unit", [](const O& o) { return o.temperature_unit; }},
                       {"homing", [](const O& o) { return double(o.homing); }},
                       {"homing_method", [](const O& o) { return double(o.homing_method); }},
                       {"ranger/side_slip_mode", [](const O& o) { return double(o.ranger.side_slip_mode); }},
@@ -106,7 +108,17 @@ TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
   refused([](BridgeOptions& o) { o.master_node = 8; });
   refused([](BridgeOptions& o) { o.drive_watchdog = o.heartbeat_period; });
   refused([](BridgeOptions& o) { o.heartbeat_timeout = 0.01; });
+  refused([](BridgeOptions& o) { o.cycle_time = 0.0105; });
   refused([](BridgeOptions& o) { o.feedback_timeout = o.cycle_time; });
+  // A heartbeat leaves with a cycle: 80 ms apart, and a cycle later where it is late.
+  refused([](BridgeOptions& o) { o.cycle_time = 0.04, o.feedback_timeout = 0.1; });
+  refused([](BridgeOptions& o) { o.heartbeat_timeout = 1.5 * o.heartbeat_period; });
+  for (const int method : {0, 35, 37})
+    refused([method](BridgeOptions& o) { o.homing = true, o.homing_method = method; });
+  // Counts beyond 32 bits: of an angle, of a speed, of a deceleration.
+  refused([](BridgeOptions& o) { o.steering[2].offset = 1e4; });
+  refused([](BridgeOptions& o) { o.driving[2].gear_ratio = 40000.0; });
+  refused([](BridgeOptions& o) { o.stop_deceleration = 3000.0; });
 }
 
 }  // namespace fourwis

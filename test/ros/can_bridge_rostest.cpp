@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
@@ -46,14 +47,9 @@ protected:
   }
 
   /// The drives need a moment after the bridge's start, and after faults.
-  void enable()
-  {
-    ASSERT_TRUE(wait_until([this] { return call("enable").success; }));
-  }
-
   void drive()
   {
-    enable();
+    ASSERT_TRUE(wait_until([this] { return call("enable").success; }));
     wheel_states_.clear();
     ASSERT_TRUE(wait_for_states([](const WheelStates& s) { return std::abs(s.drive_speed[0] - 0.4) < 0.02; }));
   }
@@ -65,6 +61,10 @@ protected:
   bool wait_for_state(std::uint8_t state)
   {
     return wait_for_states([state](const WheelStates& s) { return s.state == state; });
+  }
+  bool wait_for_message(const std::string& message)
+  {
+    return wait_for_states([&](const WheelStates& s) { return s.message == message; });
   }
   bool wait_for_rest()
   {
@@ -120,7 +120,8 @@ TEST_F(CanBridgeNode, says_each_cycle_what_the_wheels_do_and_where_that_leads)
   EXPECT_EQ(state->mode, 1);
   EXPECT_TRUE(state->aligned);
   EXPECT_EQ(state->message, "");
-  const auto odom = odometry.wait_for([&](const nav_msgs::Odometry& o) { return o.header.stamp == state->header.stamp; });
+  const auto odom =
+    odometry.wait_for([&](const nav_msgs::Odometry& o) { return o.header.stamp == state->header.stamp; });
   ASSERT_TRUE(odom) << "no odometry of the same stamp";
   EXPECT_NEAR(odom->twist.twist.linear.x, 0.4, 0.02);
   EXPECT_GT(odom->twist.covariance[0], 0.0);
@@ -140,16 +141,55 @@ TEST_F(CanBridgeNode, the_emergency_stop_stops_it_and_forbids_to_enable_it)
   drive();
 }
 
+TEST_F(CanBridgeNode, a_press_of_the_emergency_stop_that_is_released_at_once_stops_it)
+{
+  drive();
+  press_emergency_stop(true);
+  press_emergency_stop(false);
+  EXPECT_TRUE(wait_for_message("not enabled: base: emergency_stop"));
+}
+
+TEST_F(CanBridgeNode, the_emergency_stop_does_not_wait_for_those_who_wait_for_the_drives)
+{
+  ASSERT_TRUE(wait_for_state(WheelStates::READY));
+  inject("status_frozen", 7, 0);  // it will never say that it is switched on
+  std::thread first([this] { call("enable"); }), second([this] { call("enable"); });
+  EXPECT_TRUE(wait_for_message("enabling"));
+  press_emergency_stop(true);
+  first.join();
+  second.join();
+  wheel_states_.clear();
+  EXPECT_TRUE(wait_for_message("not enabled, emergency stop pressed: base: emergency_stop"));
+  press_emergency_stop(false);
+}
+
+TEST_F(CanBridgeNode, commands_of_impossible_stamps_are_not_taken)
+{
+  drive();
+  WheelCommands wild;
+  wild.header.stamp.sec = 0xFFFFFFFF;
+  commands_.publish(wild);
+  const auto counted = [](const DiagnosticArray& array)
+  {
+    for (const DiagnosticStatus& status : array.status)
+      for (const auto& value : status.values)
+        if (value.key == "late commands" && value.value != "0") return true;
+    return false;
+  };
+  EXPECT_TRUE(diagnostics_.wait_for(counted));
+  drive();
+}
+
 TEST_F(CanBridgeNode, a_fault_has_its_name_in_the_diagnostics_and_needs_to_be_cleared)
 {
   drive();
   inject("drive_fault", 7, 0x2310);
   ASSERT_TRUE(wait_for_state(WheelStates::FAULT));
-  const auto named = [](const DiagnosticArray& array)
+  const std::string expected = "fault: driving rear_left: emergency_message 0x2310";
+  const auto named = [&](const DiagnosticArray& array)
   {
     for (const DiagnosticStatus& status : array.status)
-      if (status.level == DiagnosticStatus::ERROR && status.message == "fault: driving rear_left: emergency_message 0x2310")
-        return true;
+      if (status.level == DiagnosticStatus::ERROR && status.message == expected) return true;
     return false;
   };
   EXPECT_TRUE(diagnostics_.wait_for(named));

@@ -145,7 +145,7 @@ public:
 
   void send(const WheelCommand& command)
   {
-    bridge.command(command, now());
+    bridge.command(command, now(), now());
     connection.flush(now());
   }
 

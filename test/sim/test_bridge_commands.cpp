@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "bridge_fixture.h"
 
@@ -141,12 +142,14 @@ TEST_F(BridgeCommands, AnotherModeIsTakenAtStandstillOnly)
   drive();
   command(Mode::lateral, 1.5, 0.5);
   bool turned_while_rolling = false, rolled_while_turned_away = false;
+  double last_angle = drives.truth().angle[0];
   const auto observe = [&]
   {
     const WheelMotion wheels = drives.truth();
     const bool rolls = std::abs(wheels.speed[0]) > 0.01, straight = std::abs(wheels.angle[0]) < 0.03;
     const bool there = std::abs(wheels.angle[0] - 1.5) < 0.05;
-    turned_while_rolling |= rolls && !straight && !there;
+    const double turned = std::abs(wheels.angle[0] - std::exchange(last_angle, wheels.angle[0]));
+    turned_while_rolling |= rolls && turned > 0.1 * robot.wheel_max_rate * 1e-3;
     rolled_while_turned_away |= rolls && !straight && !there;
     return std::abs(drives.twist().vy - 0.5 * std::sin(1.5)) < 0.01;
   };

@@ -52,6 +52,51 @@ TEST_F(BridgeLink, BusOff)
   }
 }
 
+TEST_F(BridgeLink, DownAgainBeforeTheBaseHasBeenEnabled)
+{
+  wait_for(BridgeStage::ready);
+  for (const double pause : {1.0, 0.2, 1.0})  // ready again; still starting; ready again
+  {
+    end->set_link(can::Link::down);
+    EXPECT_LT(wait_for(BridgeStage::link_down), 0.02);
+    pass(0.3);
+    end->set_link(can::Link::up);
+    pass(pause);
+  }
+  EXPECT_EQ(stage(), BridgeStage::ready) << cause();
+}
+
+TEST_F(BridgeLink, DrivesAreStoppedAsSoonAsItIsBack)
+{
+  drive();
+  end->set_link(can::Link::down);
+  wait_for(BridgeStage::link_down);
+  end->set_link(can::Link::up);
+  wait_for(BridgeStage::listening);
+  pass(0.003);
+  for (int node = 5; node <= 8; ++node)
+    EXPECT_EQ(drives.drive(node).power_state(), sim::PowerState::quick_stop_active) << node;
+}
+
+TEST_F(BridgeLink, WhatIsMeasuredIsAsOldAsTheDrivesLastAnswers)
+{
+  drive();
+  EXPECT_GT(bridge.wheels().stamp, now() - 0.025);
+  end->set_full(true);
+  const double begin = now();
+  pass(0.5);
+  EXPECT_LE(bridge.wheels().stamp, begin);
+}
+
+TEST_F(BridgeLink, WhatIsMeasuredIsAsOldAsTheAnswerOfASilentDrive)
+{
+  drive();
+  drives.inject({sim::DriveFaultKind::node_silent, 6, now()});
+  const double begin = now();
+  pass(0.5);
+  EXPECT_LE(bridge.wheels().stamp, begin);
+}
+
 TEST_F(BridgeLink, AQueueThatDoesNotMoveIsAFaultAndNothingOldIsSentWhenItMovesAgain)
 {
   drive();
@@ -127,6 +172,25 @@ TEST_F(BridgeLink, ABridgeThatTakesTheKilledOnesPlaceMovesNothingBeforeItIsEnabl
   EXPECT_LT(wait_for(ready), 1.0) << text_of(second.report().cause);
   EXPECT_LE(last_motion(), begin);
   EXPECT_EQ(fastest_wheel(), 0.0);
+}
+
+can::BridgeOptions with_a_slow_watchdog()
+{
+  can::BridgeOptions options;
+  options.drive_watchdog = 0.5;
+  return options;
+}
+
+class BridgeWithASlowWatchdog : public BridgeFixture
+{
+protected:
+  BridgeWithASlowWatchdog() : BridgeFixture(with_a_slow_watchdog()) {}
+};
+
+TEST_F(BridgeWithASlowWatchdog, ListensUntilTheDrivesOfAKilledOneHaveStopped)
+{
+  wait_for(BridgeStage::boot);
+  EXPECT_GE(spy.sent.front().time, options.drive_watchdog);
 }
 
 /// On a bus of 500 kbit/s with a queue of twelve frames.

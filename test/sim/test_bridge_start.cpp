@@ -99,6 +99,21 @@ TEST_F(BridgeStart, SomebodyElseCommandsTheDrives)
   expect_refusal(Fault::foreign_master);
 }
 
+TEST_F(BridgeStart, SaysNothingAsLongAsSomebodyElseCommandsTheDrives)
+{
+  inject(DriveFaultKind::foreign_master, 2);
+  EXPECT_LT(wait_for(BridgeStage::fault), 1.0);
+  pass(1.0);
+  EXPECT_TRUE(spy.sent.empty());
+}
+
+TEST_F(BridgeStart, NothingCountsAsMeasuredBeforeEveryDriveHasSpoken)
+{
+  const auto measured = [this] { return bridge.wheels().stamp != 0.0; };
+  EXPECT_LT(wait_for(measured), 1.0);
+  for (const can::AxisReport& axis : bridge.report().axes) EXPECT_NE(axis.drive, can::DriveState::unknown);
+}
+
 TEST_F(BridgeStart, ATargetFromEarlierMovesNothing)
 {
   enable();
@@ -123,6 +138,32 @@ TEST_F(BridgeStart, AStatuswordThatStaysWhatItIsIsFoundWhenThePowerIsSwitched)
   EXPECT_TRUE(told(Fault::power_timeout)) << cause();
   EXPECT_EQ(bridge.report().cause.axis, 4);
   EXPECT_EQ(fastest_wheel(), 0.0);
+}
+
+BridgeOptions with_a_temperature()
+{
+  BridgeOptions options;
+  options.temperature_object = 0x101801;  // any that the drives have: 1018:1, their maker's number
+  options.temperature_unit = 0.001;
+  return options;
+}
+
+class Telemetry : public BridgeStart
+{
+protected:
+  Telemetry() : BridgeStart(with_a_temperature()) {}
+};
+
+TEST_F(Telemetry, IsAskedForWhileDriving)
+{
+  drive();
+  pass(2.0);
+  for (const can::AxisReport& axis : bridge.report().axes)
+  {
+    EXPECT_NEAR(axis.voltage, 48.0, 1e-9);
+    EXPECT_NEAR(axis.temperature, 1e-3 * sim::DriveOptions().vendor, 1e-9);
+  }
+  EXPECT_EQ(stage(), BridgeStage::enabled) << cause();
 }
 
 BridgeOptions with_other_vendor()
@@ -197,10 +238,33 @@ TEST_F(OddAxes, DriveAsWell)
   EXPECT_NEAR(drives.twist().vy, -0.4 * std::sin(0.7), 5e-3);
 }
 
+BridgeOptions with_fine_encoders()
+{
+  BridgeOptions options;
+  for (can::AxisOptions& axis : options.driving) axis.counts_per_turn = 8388608.0;
+  return options;
+}
+
+class FineEncoders : public BridgeStart
+{
+protected:
+  FineEncoders() : BridgeStart(with_fine_encoders()) {}
+};
+
+TEST_F(FineEncoders, BeginAgainAtTheOtherEndOfTheirRangeWithoutAJump)
+{
+  drive();
+  const double rolled = bridge.report().axes[4].position;
+  pass(20.0);  // every 16 m
+  EXPECT_EQ(stage(), BridgeStage::enabled) << cause();
+  EXPECT_NEAR(bridge.report().axes[4].position - rolled, 10.0, 0.1);
+}
+
 BridgeOptions with_homing()
 {
   BridgeOptions options;
   options.homing = true;
+  options.homing_method = 34;
   return options;
 }
 
@@ -219,6 +283,17 @@ TEST_F(Homing, ComesBeforeTheFirstMotionAndOnlyAfterTheBaseIsEnabled)
   EXPECT_LT(wait_for(BridgeStage::home), 1.0) << cause();
   EXPECT_LT(wait_for(BridgeStage::enabled), 2.0) << cause();
   drive();
+}
+
+TEST_F(Homing, OfADriveThatCannotBeSwitchedOnIsNotWaitedFor)
+{
+  ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
+  inject(DriveFaultKind::status_frozen, 2);
+  pass(0.1);
+  ASSERT_EQ(bridge.enable(now()), nullptr);
+  EXPECT_LT(wait_for(BridgeStage::fault), options.enable_timeout + 0.5);
+  EXPECT_TRUE(told(Fault::power_timeout)) << cause();
+  EXPECT_EQ(bridge.report().cause.axis, 1);
 }
 
 /// The bridge between its construction and its destruction.
@@ -269,7 +344,10 @@ TEST(BridgeTwice, TheSameCallsGiveTheSameFrames)
   second.TestBody();
   ASSERT_EQ(first.spy.sent.size(), second.spy.sent.size());
   for (std::size_t i = 0; i < first.spy.sent.size(); ++i)
-    ASSERT_TRUE(first.spy.sent[i].frame == second.spy.sent[i].frame && first.spy.sent[i].time == second.spy.sent[i].time);
+  {
+    ASSERT_EQ(first.spy.sent[i].frame, second.spy.sent[i].frame);
+    ASSERT_EQ(first.spy.sent[i].time, second.spy.sent[i].time);
+  }
 }
 
 }  // namespace

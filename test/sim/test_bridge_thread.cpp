@@ -20,6 +20,15 @@ using can::BridgeUpdate;
 /// Longer than anything here takes on the slowest machine [s].
 constexpr double kPatience = 30.0;
 
+/// Nothing here is about time: a busy machine may be slow.
+can::BridgeOptions patient()
+{
+  can::BridgeOptions options;
+  options.command_timeout = options.drive_watchdog = options.heartbeat_timeout = options.feedback_timeout =
+    options.following_time = 2.0;
+  return options;
+}
+
 /// A bridge in its thread and drives in theirs, on a bus among processes.
 class BridgeInItsThread : public testing::Test
 {
@@ -43,21 +52,14 @@ protected:
     return follow_until([&] { return update_.report.stage == stage; });
   }
 
-  /// On a loaded machine drives may miss what they wait for, and say so: then it is started again.
   bool enable()
   {
-    return follow_until(
-      [&]
-      {
-        if (update_.report.stage == BridgeStage::fault) bridge_.clear_faults();
-        if (update_.report.stage == BridgeStage::ready) bridge_.enable();
-        return update_.report.stage == BridgeStage::enabled;
-      });
+    return follow_until(BridgeStage::ready) && bridge_.enable().empty() && follow_until(BridgeStage::enabled);
   }
 
   const std::string name_ = "unix:bridge_thread_" + std::to_string(getpid());
   RealTimeDrives drives_{name_};
-  can::BridgeThread bridge_{Robot(), can::BridgeOptions(), can::open_bus(name_), 0};
+  can::BridgeThread bridge_{Robot(), patient(), can::open_bus(name_), 0};
   BridgeUpdate update_;
   WheelCommand wanted_;
 };
@@ -82,6 +84,17 @@ TEST_F(BridgeInItsThread, SaysWhyItRefuses)
   bridge_.press_emergency_stop(false);
   ASSERT_TRUE(follow_until([&] { return !update_.report.emergency_stop; }));
   EXPECT_EQ(bridge_.enable(), "");
+}
+
+TEST_F(BridgeInItsThread, StopsForAnEmergencyStopThatIsReleasedBeforeItCouldLook)
+{
+  wanted_.mode = Mode::ackermann;
+  ASSERT_TRUE(enable()) << text_of(update_.report.cause);
+  bridge_.press_emergency_stop(true);
+  bridge_.press_emergency_stop(false);
+  ASSERT_TRUE(follow_until(BridgeStage::ready));
+  EXPECT_EQ(update_.report.cause.fault, can::Fault::emergency_stop) << text_of(update_.report.cause);
+  EXPECT_FALSE(update_.report.emergency_stop);
 }
 
 TEST(BridgeThread, RefusesOptionsThatContradictEachOtherWhereItIsMade)

@@ -10,6 +10,9 @@ namespace fourwis::can
 /// The nearest integer of 32 bits; beyond their range the end of it, 0 for NaN.
 std::int32_t saturated_counts(double counts);
 
+/// How far a position has moved that begins again at the other end of its 32 bits.
+std::int32_t counts_between(std::int32_t before, std::int32_t now);
+
 /// Between a drive's counts and the wheel's units. Positions and speeds of a drive are counts and counts/s.
 class AxisScale
 {

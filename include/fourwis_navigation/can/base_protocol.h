@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "fourwis_navigation/can/cia301.h"
 #include "fourwis_navigation/can/cia402.h"
@@ -40,11 +41,13 @@ struct AxisReport
   std::uint16_t emergency = 0;  ///< code of the last emergency message
   double position = 0.0;        ///< [rad], driving: rolled since the start [m]
   double speed = 0.0;           ///< [rad/s or m/s]
+  double voltage = std::numeric_limits<double>::quiet_NaN();      ///< of the supply; NaN where it is not known [V]
+  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< likewise [deg C]
 };
 
-/// A base with four steered and driven wheels, seen from the bus: what has to be sent for a demand, what is received of its
-/// wheels, and what is wrong with it. Faults go to the log that it was made with. Time is an argument, monotonic [s].
-/// After construction nothing allocates.
+/// A base with four steered and driven wheels, seen from the bus: what has to be sent for a demand, what is received
+/// of its wheels, and what is wrong with it. Faults go to the log that it was made with. Time is an argument,
+/// monotonic [s]. After construction nothing allocates.
 class BaseProtocol
 {
 public:
@@ -72,7 +75,7 @@ public:
   bool out_of_operation() const { return first_in_operation() == kNoAxis; }
 
   virtual const WheelMotion& measured() const = 0;
-  virtual double measured_at() const = 0;  ///< [s]
+  virtual double measured_at() const = 0;  ///< the oldest part of it; 0: not all wheels have been measured yet [s]
 
   /// Why the base cannot do what a valid command says, in words; null if it can.
   virtual const char* refusal(const WheelCommand& command) const = 0;

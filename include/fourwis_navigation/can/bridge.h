@@ -10,11 +10,11 @@
 namespace fourwis::can
 {
 
-/// Drives a base over a bus: from wheel commands to frames and from frames to wheel states. Starts the drives, moves them
-/// only between enable() and whatever goes wrong first, stops them by itself, and never starts them again by itself.
-/// Knows neither a clock nor a bus: time is an argument (monotonic, [s]), frames come in by receive() and leave by the
-/// outbox, which is to be flushed after every call. The same calls give the same frames. One thread; after construction
-/// nothing allocates or throws.
+/// Drives a base over a bus: from wheel commands to frames and from frames to wheel states. Starts the drives, moves
+/// them only between enable() and whatever goes wrong first, stops them by itself, and never starts them again by
+/// itself. Knows neither a clock nor a bus: time is an argument (monotonic, [s]), frames come in by receive() and
+/// leave by the outbox, which is to be flushed after every call. The same calls give the same frames. One thread;
+/// after construction nothing allocates or throws.
 class Bridge
 {
 public:
@@ -28,8 +28,9 @@ public:
   /// A frame of the bus, error frames included. What it makes necessary is in the outbox at once.
   void receive(const Frame& frame, double now);
 
-  /// The newest command; sent at once while enabled, at most once a cycle beside the cycle's own.
-  void command(const WheelCommand& command, double now);
+  /// The newest command, and when it was made: its timeout counts from then. Sent at once while enabled, at most once
+  /// a cycle beside the cycle's own.
+  void command(const WheelCommand& command, double made, double now);
 
   /// While pressed, nothing can be enabled; pressing it stops the base at once.
   void press_emergency_stop(bool pressed, double now);

@@ -6,8 +6,8 @@
 namespace fourwis::can
 {
 
-/// A bridge at one end of a bus: what the bus has goes to the bridge, what the bridge has goes to the bus, and a bus that
-/// is down is opened again when it comes back. Time is monotonic [s]. No allocation but where a bus is opened.
+/// A bridge at one end of a bus: what the bus has goes to the bridge, what the bridge has goes to the bus, and a bus
+/// that is down is opened again when it comes back. Time is monotonic [s]. No allocation but where a bus is opened.
 class BridgeConnection
 {
 public:

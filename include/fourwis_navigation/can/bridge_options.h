@@ -60,8 +60,8 @@ struct RangerOptions
   bool spin_by_speed = false;  ///< spin is commanded as the wheels' speed in the lateral field; Mini V2
 };
 
-/// The base and how it is driven; the keys of config/can_bridge.yaml. What the wheels can do is in Robot: travel, steering
-/// rate, speed.
+/// The base and how it is driven; the keys of config/can_bridge.yaml. What the wheels can do is in Robot: travel,
+/// steering rate, speed.
 struct BridgeOptions
 {
   std::string interface = "can0";  ///< see open_bus()
@@ -77,8 +77,10 @@ struct BridgeOptions
   DrivingMode driving_mode = DrivingMode::cyclic;
   double vendor_id = 0.0;      ///< that every drive must have (1018:1); 0: any
   double product_code = 0.0;   ///< that every drive must have (1018:2); 0: any
-  bool homing = false;         ///< steering drives find their zero before the first motion after a start
-  int homing_method = 35;      ///< object 6098; 35: where it is, is zero
+  double temperature_object = 0.0;  ///< of the maker's own, index << 8 | sub-index; 0: none
+  double temperature_unit = 1.0; ///< what its value counts in [deg C]
+  bool homing = false;         ///< steering drives search their zero before the first motion after each start
+  int homing_method = 24;      ///< object 6098; one that searches, 24: for a home switch
 
   RangerOptions ranger;        ///< for Protocol::ranger
 
@@ -101,7 +103,7 @@ struct BridgeOptions
   double enable_timeout = 2.0;       ///< for the drives to be enabled or disabled [s]
   double homing_timeout = 20.0;      ///< [s]
   double alignment_timeout = 3.0;    ///< for the wheels to reach commanded angles at standstill [s]
-  double stop_timeout = 3.0;         ///< for the wheels to come to rest before the drives are disabled all the same [s]
+  double stop_timeout = 3.0;         ///< to come to rest, before the drives are disabled all the same [s]
   double following_time = 0.3;       ///< a wheel that is off for longer than this is faulty [s]
   double steering_error = 10.0 * M_PI / 180.0;  ///< off: this far from where it was told to be [rad]
   double speed_error = 0.3;          ///< off: this much faster or slower than it was told to be [m/s]

@@ -38,7 +38,7 @@ struct BridgeReport
   double load = 0.0;             ///< of the bus, 0 to 1
   std::uint64_t replaced = 0;    ///< frames overtaken by newer ones before the bus took them
   std::uint64_t overtaken = 0;   ///< commands that came after newer ones
-  ControllerNotice controller;   ///< the last one that said something of the controller
+  ControllerNotice controller;   ///< the last one that told its state
   std::array<AxisReport, kAxes> axes;
 };
 

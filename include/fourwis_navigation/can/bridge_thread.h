@@ -29,19 +29,19 @@ struct BridgeUpdate
 class BridgeThread
 {
 public:
-  /// Begins at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws std::invalid_argument where options
-  /// contradict each other.
+  /// Begins at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws std::invalid_argument where
+  /// options contradict each other.
   BridgeThread(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority);
 
-  /// Ends at once, whatever the wheels do: stop() before. The drives' own watchdogs are the last to stop them.
+  /// Ends at once, whatever the wheels do: disable() and wait before. The drives' own watchdogs are the last to stop them.
   ~BridgeThread();
 
   /// What the system did not allow, see become_real_time().
   std::string complaint() const;
 
   // From one thread at a time; none of them waits.
-  void command(const WheelCommand& command);
-  void press_emergency_stop(bool pressed);
+  void command(const WheelCommand& command, double age = 0.0);  ///< `age`: since it was made [s]
+  void press_emergency_stop(bool pressed);  ///< each press stops the base, however short it is
 
   // What a person asks for, from any thread: waits for the bridge's answer, empty when it is accepted.
   std::string enable();

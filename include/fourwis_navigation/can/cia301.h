@@ -6,8 +6,8 @@
 
 #include "fourwis_navigation/can/frame.h"
 
-/// CANopen, CiA 301: who sends what, and the messages that are not about drives. Pure bytes. A decoder answers nothing for a
-/// frame that is not its message or has the wrong length; node numbers are 1 to 127.
+/// CANopen, CiA 301: who sends what, and the messages that are not about drives. Pure bytes. A decoder answers
+/// nothing for a frame that is not its message or has the wrong length; node numbers are 1 to 127.
 namespace fourwis::can
 {
 

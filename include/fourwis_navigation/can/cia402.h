@@ -5,8 +5,8 @@
 
 #include "fourwis_navigation/can/frame.h"
 
-/// CANopen drives, CiA 402: states, the words that move a drive between them, and the cyclic messages in our mapping. Pure
-/// bytes and pure functions.
+/// CANopen drives, CiA 402: states, the words that move a drive between them, and the cyclic messages in our mapping.
+/// Pure bytes and pure functions.
 namespace fourwis::can
 {
 
@@ -32,9 +32,8 @@ DriveState drive_state(std::uint16_t statusword);
 /// Bits of the statusword.
 namespace status_bit
 {
-inline constexpr std::uint16_t warning = 1 << 7, remote = 1 << 9, target_reached = 1 << 10, internal_limit = 1 << 11,
-                               set_point_acknowledge = 1 << 12, homing_attained = 1 << 12, homing_error = 1 << 13,
-                               following_error = 1 << 13;
+inline constexpr std::uint16_t warning = 1 << 7, target_reached = 1 << 10, set_point_acknowledge = 1 << 12,
+                               homing_attained = 1 << 12, homing_error = 1 << 13;
 }
 
 /// Words and bits of the controlword.
@@ -42,7 +41,7 @@ namespace control
 {
 inline constexpr std::uint16_t disable_voltage = 0x00, quick_stop = 0x02, shutdown = 0x06, switch_on = 0x07,
                                enable_operation = 0x0F, new_set_point = 1 << 4, homing_start = 1 << 4,
-                               change_immediately = 1 << 5, fault_reset = 1 << 7, halt = 1 << 8;
+                               change_immediately = 1 << 5, fault_reset = 1 << 7;
 }
 
 /// Where a drive's power stage is to be brought.
@@ -57,8 +56,8 @@ enum class PowerGoal : std::uint8_t
 /// The controlword that brings a drive one state nearer to its goal. Never resets a fault.
 std::uint16_t controlword(DriveState state, PowerGoal goal);
 
-/// The bits that make a drive in profile position mode take the newest target at once: a rising edge of `new_set_point`,
-/// again whenever the drive has acknowledged the one before.
+/// The bits that make a drive in profile position mode take the newest target at once: a rising edge of
+/// `new_set_point`, again whenever the drive has acknowledged the one before.
 std::uint16_t set_point_bits(std::uint16_t statusword);
 
 /// Object 6060.

@@ -24,6 +24,9 @@ struct ControllerNotice
   std::uint8_t receive_errors = 0;
 };
 
+/// Whether it says in which state the controller is; others are about single frames.
+bool tells_state(const ControllerNotice& notice);
+
 /// Nothing for a frame that is no error frame.
 std::optional<ControllerNotice> decode_notice(const Frame& frame);
 

@@ -81,11 +81,12 @@ struct FaultRecord
   bool exists() const { return fault != Fault::count; }
 };
 
-/// "driving rear_left: emergency_message 0x8130", "steering front_left: sdo_abort 0x6040041 (the object cannot be mapped) at
-/// 1600:01"; empty for a record that does not exist.
+/// "driving rear_left: emergency_message 0x8130", "steering front_left: sdo_abort 0x6040041 (the object cannot be
+/// mapped) at 1600:01"; empty for a record that does not exist.
 std::string text_of(const FaultRecord& record);
 
-/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported. No allocation.
+/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported, but for those
+/// after which the base starts by itself: each time is another one. No allocation.
 class FaultLog
 {
 public:
@@ -100,8 +101,6 @@ public:
   const FaultRecord& cause() const { return cause_; }
   /// The newest, also from before the last clear(); [0] is the last one.
   const std::array<FaultRecord, kKept>& history() const { return history_; }
-  /// Whether it was reported since the last clear().
-  bool has(Fault fault) const;
 
   void clear();
 

@@ -7,8 +7,8 @@
 namespace fourwis::can
 {
 
-/// Hands the newest of something from one thread to one other: what was not taken is replaced. Neither side ever waits or
-/// allocates: of three slots one is being written, one waits, one is being read.
+/// Hands the newest of something from one thread to one other: what was not taken is replaced. Neither side ever
+/// waits or allocates: of three slots one is being written, one waits, one is being read.
 template <class T>
 class Mailbox
 {

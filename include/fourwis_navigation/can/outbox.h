@@ -32,7 +32,8 @@ public:
   std::uint64_t replaced() const { return replaced_; }  ///< frames that were overtaken by a newer one
   std::uint64_t lost() const { return lost_; }          ///< frames that found no room
 
-  /// Sends as much as the bus takes. What the bus says about the first frame that it does not take, `ok` if none is left.
+  /// Sends as much as the bus takes. What the bus says about the first frame that it does not take, `ok` if none is
+  /// left.
   BusStatus flush(Bus& bus);
 
 private:

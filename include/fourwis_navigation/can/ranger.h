@@ -7,8 +7,8 @@
 #include "fourwis_navigation/can/frame.h"
 #include "fourwis_navigation/model/wheels.h"
 
-/// AgileX Ranger, CAN protocol v2, after ugv_sdk: 11-bit identifiers, big-endian, two's complement. Pure bytes. A decoder
-/// answers nothing for a frame that is not its message or has not 8 bytes.
+/// AgileX Ranger, CAN protocol v2, after ugv_sdk: 11-bit identifiers, big-endian, two's complement. Pure bytes. A
+/// decoder answers nothing for a frame that is not its message or has not 8 bytes.
 namespace fourwis::can
 {
 

@@ -5,8 +5,8 @@
 
 #include "fourwis_navigation/can/frame.h"
 
-/// CANopen, CiA 301: reading and writing a node's objects one by one, as far as four bytes suffice (expedited transfer).
-/// Pure bytes.
+/// CANopen, CiA 301: reading and writing a node's objects one by one, as far as four bytes suffice (expedited
+/// transfer). Pure bytes.
 namespace fourwis::can
 {
 

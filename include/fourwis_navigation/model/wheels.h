@@ -22,6 +22,14 @@ inline double greatest_magnitude(const PerWheel& values)
   return greatest;
 }
 
+/// The greatest difference between two wheels' numbers; of angles a full turn is one.
+inline double greatest_gap(const PerWheel& a, const PerWheel& b)
+{
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, std::abs(a[i] - b[i]));
+  return greatest;
+}
+
 /// Angle and rolling speed of the four wheels. (angle + pi, -speed) is the same motion of the body.
 struct WheelMotion
 {
@@ -40,8 +48,8 @@ struct WheelCommand
 /// What a base is able to do at the moment.
 enum class BaseState : std::uint8_t
 {
-  not_ready = 0,  ///< starting, homing, or without a connection to its drives
-  ready = 1,      ///< could move, but the drives are not enabled
+  not_ready = 0,  ///< starting, or without a connection to its drives
+  ready = 1,      ///< could move, but the drives are not enabled, or not yet: they are switched on, or search their zero
   enabled = 2,    ///< follows commands
   stopping = 3,   ///< comes to rest by itself; commands are ignored
   fault = 4       ///< at rest or coasting; needs somebody to clear it

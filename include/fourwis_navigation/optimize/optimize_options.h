@@ -27,7 +27,7 @@ struct OptimizeOptions
   double interval_weight = 0.2;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
   double corridor_weight = 100.0;   ///< what a metre outside the corridor costs [s/m]
   double shortest_interval = 0.1;   ///< least h_k, of h_ref
-  double longest_interval = 1.5;     ///< greatest h_k, of h_ref
+  double longest_interval = 1.5;     ///< greatest h_k, of h_ref, and greatest way within an interval, of the spacing
   double longest_at_rest = 4.0;     ///< the same next to knots at rest
   int corridor_discs = 2;           ///< discs that cover the body, each with a region of its own
   int polish_discs = 4;             ///< the same in the last, finer round

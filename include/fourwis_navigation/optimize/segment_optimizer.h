@@ -21,13 +21,15 @@ struct SegmentSolution
   std::string message;             ///< the solver's word for how it ended
   Trajectory points;
   int iterations = 0;
-  double corridor_violation = 0.0;  ///< greatest distance by which a disc centre leaves its region at a knot [m]
+  double corridor_violation = 0.0;  ///< greatest distance by which a disc centre leaves its region at a knot [m], or
+                                    ///< (way / longest way)^2 - 1 of an interval
 };
 
 /// The paper's eq. (26) for one segment, on the structured solver and without its penalties:
 ///   minimise    sum_k h_k + alpha (v_k omega_k)^2 h_k + w_h (h_k - h_ref)^2 + penalty of leaving the corridor
 ///   subject to  x_{k+1} = F(x_k, u_k)  (Simpson's rule, hard), limits on v, phi, a, omega, h and on each wheel's turning rate,
 ///               the disc centres at knot k in their regions of the intervals k - 1 and k,
+///               no interval much longer than the segment's (elastic),
 ///               the segment's first and last pose, v = 0 at both.
 /// phi starts at the reference's and ends where it wants: the wheels are turned at rest in between.
 class SegmentOptimizer

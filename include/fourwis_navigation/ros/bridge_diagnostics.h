@@ -11,8 +11,8 @@
 namespace fourwis
 {
 
-/// On `/diagnostics`: the bridge and its faults, the bus, each of the eight axes. ERROR in fault, WARN where something is
-/// not as it should be.
+/// On `/diagnostics`: the bridge and its faults, the bus, each of the eight axes. ERROR in fault, WARN where
+/// something is not as it should be.
 class BridgeDiagnostics
 {
 public:

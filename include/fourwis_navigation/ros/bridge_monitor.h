@@ -16,7 +16,7 @@ public:
   void put(const can::BridgeUpdate& update);
   can::BridgeUpdate newest() const;
 
-  /// Waits until the condition holds for what the bridge says from now on; false where it does not in time [s].
+  /// Waits until the condition holds for what the bridge says from now on; false where it does not in `timeout` [s].
   bool wait_for(const std::function<bool(const can::BridgeUpdate&)>& condition, double timeout);
 
 private:

@@ -21,7 +21,8 @@ struct CanBridgeParameters
   CanBridgeNodeOptions node;
 };
 
-/// The whole private namespace of the bridge's node: its own keys, `robot/...` and `can_bridge/...`. Throws ConfigError.
+/// The whole private namespace of the bridge's node: its own keys, `robot/...` and `can_bridge/...`. Throws
+/// ConfigError.
 CanBridgeParameters can_bridge_parameters_from(const ParameterMap& parameters);
 
 }  // namespace fourwis

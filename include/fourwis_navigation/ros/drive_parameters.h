@@ -42,6 +42,9 @@ struct BaseFrames
 /// The simulated base without a bus.
 inline const std::string kDirect = "direct";
 
+/// The keys of that; the wheel's radius is somebody else's. Throws ConfigError.
+BaseFrames base_frames_from(KeyReader& reader);
+
 /// The keys of `config/base_simulator.yaml`, in the private namespace of base_simulator_node.
 struct BaseSimulatorNodeOptions
 {

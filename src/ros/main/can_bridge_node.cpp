@@ -31,6 +31,6 @@ int main(int argc, char** argv)
       ros::AsyncSpinner spinner(2);
       spinner.start();
       while (ros::ok() && !asked_to_end) ros::WallDuration(0.02).sleep();
-      bridge.stop();
+      bridge.end();
     });
 }
