@@ -72,6 +72,7 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
   if (number == number_ || now <= stepped_) return std::nullopt;
   number_ = number;
   locate(odometry);
+  if (problem_.empty() && wheels.state != fourwis_navigation::WheelStates::ENABLED) problem_ = wheels.message;
   input_.wheels = to_wheel_state(wheels);
   return step(now);
 }

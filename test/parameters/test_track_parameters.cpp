@@ -29,10 +29,14 @@ Subject<TrackOptions> subject_of()
            {"command_latency", [](const O& o) { return o.command_latency; }},
            {"drive_lag", [](const O& o) { return o.drive_lag; }},
            {"steering_lag", [](const O& o) { return o.steering_lag; }},
+           {"xy_start_tolerance", [](const O& o) { return o.xy_start_tolerance; }},
+           {"yaw_start_tolerance", [](const O& o) { return o.yaw_start_tolerance; }},
            {"xy_goal_tolerance", [](const O& o) { return o.xy_goal_tolerance; }},
            {"yaw_goal_tolerance", [](const O& o) { return o.yaw_goal_tolerance; }},
            {"xy_switch_tolerance", [](const O& o) { return o.xy_switch_tolerance; }},
            {"yaw_switch_tolerance", [](const O& o) { return o.yaw_switch_tolerance; }},
+           {"max_xy_correction", [](const O& o) { return o.max_xy_correction; }},
+           {"max_yaw_correction", [](const O& o) { return o.max_yaw_correction; }},
            {"correction_speed", [](const O& o) { return o.correction_speed; }},
            {"correction_timeout", [](const O& o) { return o.correction_timeout; }},
            {"settle_time", [](const O& o) { return o.settle_time; }},
@@ -54,6 +58,15 @@ TEST(TrackParameters, MakeATracker)
 {
   Tracker tracker(Robot(), read_track_file(kTrackFile));
   EXPECT_EQ(tracker.step({}).state, TrackState::idle);
+}
+
+TEST(TrackParameters, WhatWouldNotBeRememberedIsRefused)
+{
+  TrackOptions options;
+  options.controller_frequency = 500.0;
+  EXPECT_NO_THROW(check(options));
+  options.command_latency = 0.2;
+  EXPECT_THROW(check(options), std::invalid_argument);
 }
 
 TEST(TrackParameters, EverythingTheTableAllowsMakesATracker)
