@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "setpoint.h"
-
 namespace fourwis::can
 {
 namespace
@@ -114,7 +112,7 @@ void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
 
 bool RangerBase::rolls() const
 {
-  return fastest(measured_.speed) > kStands;
+  return greatest_magnitude(measured_.speed) > kStands;
 }
 
 AxisReport RangerBase::axis(int axis) const
