@@ -187,8 +187,7 @@ RestingPlace Sequencer::resting_place() const
 /// Reduces the speed along the present curve; at rest, holds the wheels.
 WheelCommand Sequencer::brake()
 {
-  const ModeMotion slower = follower_.brake(measured_);
-  rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
+  rolling_ = rolling_ && slow_down();
   if (rolling_) return steering_.command();
   const double ramp = robot_.max_speed / robot_.max_acceleration;
   if (!measured_.at_rest && elapsed_ <= ramp + kBlindStop) return rest();
@@ -197,6 +196,13 @@ WheelCommand Sequencer::brake()
   else
     enter(TrackState::idle);
   return rest();
+}
+
+/// Whether there is still something to brake.
+bool Sequencer::slow_down()
+{
+  const ModeMotion slower = follower_.brake(measured_);
+  return slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
 }
 
 /// Begins to brake: on the way to `failed` because of trouble, to `idle` without.

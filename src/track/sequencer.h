@@ -46,6 +46,7 @@ private:
   void begin(const Trouble& trouble);
   void start_aligning();
   void finish_stretch();
+  bool slow_down();
   void brake_for(const Trouble& trouble);
   void enter(TrackState state, const Trouble& reason = {});
 
