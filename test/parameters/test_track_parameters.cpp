@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,15 @@ TEST(TrackParameters, MakeATracker)
 {
   Tracker tracker(Robot(), read_track_file(kTrackFile));
   EXPECT_EQ(tracker.step({}).state, TrackState::idle);
+}
+
+/// Without measurements the controller has told the base to stop before that does so by itself and drops its drives.
+TEST(TrackParameters, TheControllerStopsBeforeTheBaseDoes)
+{
+  const TrackOptions track = read_track_file(kTrackFile);
+  const double noticed = std::max(track.pose_timeout, track.wheel_state_timeout) + 2.0 / track.controller_frequency;
+  EXPECT_LT(noticed, read_simulator_file(FOURWIS_SOURCE_DIR "/config/simulator.yaml").command_timeout);
+  EXPECT_LT(noticed, read_bridge_file(FOURWIS_SOURCE_DIR "/config/can_bridge.yaml").command_timeout);
 }
 
 TEST(TrackParameters, WhatWouldNotBeRememberedIsRefused)
