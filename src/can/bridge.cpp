@@ -213,7 +213,7 @@ private:
     // Homing has a timeout of its own.
     if (protocol_->stage() == BaseStage::homing) entered_ = now;
     if (now - entered_ > options_.enable_timeout)
-      log_.report(Fault::power_timeout, protocol_->first_out_of_operation(), 0, now);
+      log_.report(Fault::power_timeout, protocol_->first_not_following(), 0, now);
   }
 
   void go_on_stopping(double now)
@@ -222,7 +222,7 @@ private:
                  protocol_->out_of_operation(), now);
     if (state_ == BridgeState::fault) return;
     if (now - entered_ > options_.stop_timeout + options_.enable_timeout)
-      log_.report(Fault::power_timeout, protocol_->first_in_operation(), 0, now);
+      log_.report(Fault::power_timeout, protocol_->first_able_to_move(), 0, now);
     if (stop_.phase() != StopProcedure::Phase::done) return;
     stop_.cancel();
     enter(BridgeState::ready, now);

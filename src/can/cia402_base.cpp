@@ -107,12 +107,12 @@ double Cia402Base::measured_at() const
   return oldest;
 }
 
-int Cia402Base::first_in_operation() const
+int Cia402Base::first_able_to_move() const
 {
   return first_axis([](const Axis& axis) { return !axis.out_of_operation(); });
 }
 
-int Cia402Base::first_out_of_operation() const
+int Cia402Base::first_not_following() const
 {
   return first_axis([](const Axis& axis) { return !axis.in_operation(); });
 }

@@ -22,8 +22,8 @@ public:
   void end_cycle(double now, Outbox& outbox) override;
 
   BaseStage stage() const override;
-  int first_in_operation() const override;
-  int first_out_of_operation() const override;
+  int first_able_to_move() const override;
+  int first_not_following() const override;
   const WheelMotion& measured() const override { return measured_; }
   double measured_at() const override;
   const char* refusal(const WheelCommand&) const override { return nullptr; }
@@ -43,7 +43,7 @@ private:
   std::vector<Axis> axes_;
   std::array<int, kNodes> axis_of_node_;
   bool listening_ = true;
-  bool foreign_ = false;     ///< somebody else commands these drives: as long as we have said nothing, we do not
+  bool foreign_ = false;     ///< somebody else commands these drives: while we listen we stay silent
   bool ran_before_ = false;  ///< the drives have once been set up by us
   bool reset_faults_ = false;
   double listen_until_ = 0.0;

@@ -107,13 +107,13 @@ void CanBridge::publish(const BridgeUpdate& update)
   const ros::Time now = ros::Time::now();
   if (now.isZero()) return;  // simulated time has not begun
   const double age = can::monotonic_now() - update.wheels.stamp;
-  WheelState wheels = update.wheels;
-  // Without anything new from the wheels there is no odometry, but still a state to be told.
-  const bool is_new = wheels.stamp > measured_ && now.toSec() > age;
-  if (!is_new) wheels.motion.speed = {};
+  // Older than the clock's beginning, or never measured: no stamp.
+  const bool has_stamp = update.wheels.stamp > 0.0 && now.toSec() > age;
+  // Without anything new from the wheels there is no odometry, but still a state to be told: it keeps its old stamp.
+  const bool is_new = has_stamp && update.wheels.stamp > measured_;
+  if (is_new) measured_ = update.wheels.stamp, stamp_ = now - ros::Duration(age);
   topics_.set_silence({!is_new, false});
-  topics_.publish(is_new ? now - ros::Duration(age) : now, wheels, explanation(update.report));
-  measured_ = wheels.stamp;
+  topics_.publish(stamp_, update.wheels, explanation(update.report));
 }
 
 std::string CanBridge::enable()

@@ -128,12 +128,15 @@ TEST_F(BridgeCommands, DisablingIsAControlledStopWithTheAnglesHeld)
   command(Mode::parallel, 0.5, 0.8);
   pass(2.0);
   const double begin = now();
+  const std::uint32_t last = wanted.sequence;
   bridge.disable(now());
   const double stop = wait_for([&] { return fastest_wheel() < 0.05; });
   EXPECT_NEAR(stop, 0.8 / options.stop_deceleration, 0.1);
   EXPECT_NEAR(last_motion() - begin, 0.8 / options.stop_deceleration, 2.5 * kCycle);
   EXPECT_LT(wait_for(BridgeStage::ready), 1.0);
   EXPECT_NEAR(drives.truth().angle[0], 0.5, 0.01);
+  EXPECT_EQ(bridge.wheels().mode, Mode::none);
+  EXPECT_EQ(bridge.wheels().sequence, last);
   for (int node = 1; node <= 8; ++node) EXPECT_EQ(drives.drive(node).power_state(), sim::PowerState::ready);
 }
 

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "../can/frame_bytes.h"
 #include "../support/allocations.h"
 #include "bridge_fixture.h"
 
@@ -91,6 +92,20 @@ TEST_F(BridgeStart, ADriveThatRefuses)
 {
   inject(DriveFaultKind::sdo_abort, 5, 0x06040041);
   expect_refusal(Fault::sdo_abort);
+}
+
+TEST_F(BridgeStart, ADriveThatIsNeverReady)
+{
+  inject(DriveFaultKind::status_missing, 2);
+  const can::Frame not_ready = can::frame_of(0x182, {0x00, 0x00, 8});
+  const auto fails = [&]
+  {
+    if (std::lround(now() * 1e3) % 10 == 5) end->inject(not_ready);
+    return stage() == BridgeStage::fault;
+  };
+  EXPECT_LT(wait_for(fails), options.enable_timeout + 1.0);
+  EXPECT_TRUE(told(Fault::power_timeout)) << cause();
+  EXPECT_EQ(bridge.report().cause.axis, 1);
 }
 
 TEST_F(BridgeStart, SomebodyElseCommandsTheDrives)
@@ -283,6 +298,16 @@ TEST_F(Homing, ComesBeforeTheFirstMotionAndOnlyAfterTheBaseIsEnabled)
   EXPECT_LT(wait_for(BridgeStage::home), 1.0) << cause();
   EXPECT_LT(wait_for(BridgeStage::enabled), 2.0) << cause();
   drive();
+}
+
+TEST_F(Homing, ThatDoesNotEndIsAFault)
+{
+  ASSERT_LT(wait_for(BridgeStage::ready), 2.0) << cause();
+  ASSERT_EQ(bridge.enable(now()), nullptr);
+  ASSERT_LT(wait_for(BridgeStage::home), 1.0) << cause();
+  drives.inject({DriveFaultKind::status_frozen, 2, now()});
+  EXPECT_NEAR(wait_for(BridgeStage::fault), options.homing_timeout, 0.1);
+  EXPECT_TRUE(told(Fault::homing_failed)) << cause();
 }
 
 TEST_F(Homing, OfADriveThatCannotBeSwitchedOnIsNotWaitedFor)

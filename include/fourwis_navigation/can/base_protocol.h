@@ -69,10 +69,10 @@ public:
   virtual void end_cycle(double now, Outbox& outbox) = 0;
 
   virtual BaseStage stage() const = 0;
-  virtual int first_in_operation() const = 0;      ///< of the axes that may move by themselves; kNoAxis if none
-  virtual int first_out_of_operation() const = 0;  ///< of the axes that do not follow; kNoAxis if all follow
-  bool in_operation() const { return first_out_of_operation() == kNoAxis; }
-  bool out_of_operation() const { return first_in_operation() == kNoAxis; }
+  virtual int first_able_to_move() const = 0;   ///< of the axes that have torque, also to brake; kNoAxis if none
+  virtual int first_not_following() const = 0;  ///< of the axes that do not follow; kNoAxis if all follow
+  bool in_operation() const { return first_not_following() == kNoAxis; }
+  bool out_of_operation() const { return first_able_to_move() == kNoAxis; }
 
   virtual const WheelMotion& measured() const = 0;
   virtual double measured_at() const = 0;  ///< the oldest part of it; 0: not all wheels have been measured yet [s]

@@ -54,6 +54,7 @@ private:
   ros::Subscriber commands_, emergency_stop_;
   ros::AsyncSpinner command_spinner_{1, &command_queue_};
   double measured_ = 0.0;  ///< when what was published last was measured, monotonic [s]
+  ros::Time stamp_;        ///< the same as it was published; zero: nothing has been measured yet
   std::mutex enabling_;
   bool ending_ = false;  ///< guarded by `enabling_`
   std::atomic<bool> end_{false};
