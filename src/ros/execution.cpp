@@ -56,7 +56,9 @@ Execution::Ended Execution::come_to_rest(Trip& trip)
   const auto rests = [this] { return monitor_.at_rest_since(ros::Time::now()).has_value(); };
   if (!options_.wait_for_controller || rests()) return std::nullopt;
   topics_.publish_progress(trip.goal.asked, PlannerStatus::STOPPING, "stopping", "stopping: " + trip.reason);
-  send_stop(std::min(trip.occasion, ros::Time::now()) + ros::Duration(options_.stop_delay));
+  // A map's stamp may lie ahead, more than a clock that is replayed lags behind.
+  const ros::Duration delay(options_.stop_delay);
+  send_stop(std::min(trip.occasion, ros::Time::now() + delay) + delay);
   for (; !trip.cancelled; nap())
   {
     if (rests()) return std::nullopt;
