@@ -148,7 +148,7 @@ private:
     update_.report = bridge_.report();
     update_.bus = bus_->counters();
     const bool down = update_.report.stage == BridgeStage::link_down;
-    const std::string error = down ? bus_->last_error() : "";
+    const std::string_view error = down ? bus_->last_error() : "";
     update_.bus_error[error.copy(update_.bus_error.data(), update_.bus_error.size() - 1)] = '\0';
     updates_.put(update_);
     updated_.raise();

@@ -137,7 +137,7 @@ bool MemoryBus::End::recover()
   return true;
 }
 
-std::string MemoryBus::End::last_error() const
+std::string_view MemoryBus::End::last_error() const
 {
   if (link_ == Link::down) return "the link is down";
   if (link_ == Link::gone) return "the interface is gone";

@@ -48,6 +48,15 @@ void check_homing(const BridgeOptions& options)
          "homing_method is " + std::to_string(method) + ", expected one that finds the zero of a steering drive");
 }
 
+/// The base's other modes have fixed numbers: of the first three each is one of ours.
+void check_ranger(const RangerOptions& ranger)
+{
+  const std::set<int> places(ranger.place.begin(), ranger.place.end());
+  refuse(places != std::set<int>{1, 2, 3, 4}, "ranger/place is not each of 1 to 4 once");
+  refuse(ranger.side_slip_mode < 3, "ranger/side_slip_mode is " + std::to_string(ranger.side_slip_mode) +
+                                      ", the number of another mode, expected 3 or more");
+}
+
 void check_cycle_time(double cycle_time)
 {
   const double milliseconds = cycle_time * 1e3;
@@ -81,6 +90,7 @@ void check(const Robot& robot, const BridgeOptions& options)
   for (const AxisOptions& axis : options.steering) check_counts(robot, options, axis, true);
   for (const AxisOptions& axis : options.driving) check_counts(robot, options, axis, false);
   check_homing(options);
+  check_ranger(options.ranger);
   check_cycle_time(options.cycle_time);
   check_heartbeats(options);
   check_shorter("cycle_time", options.cycle_time, "feedback_timeout", options.feedback_timeout);

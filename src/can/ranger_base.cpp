@@ -1,6 +1,8 @@
 #include "ranger_base.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace fourwis::can
 {
@@ -15,6 +17,8 @@ constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
 constexpr double kCommandPeriod = 0.015;
 /// It stands when all wheels are slower [m/s].
 constexpr double kStands = 0.01;
+/// In parallel mode the base steers so far to either side [rad].
+constexpr double kParallelTravel = M_PI / 2.0 + 1e-3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// Where the vehicle's state is a failure, and the identifiers of who else might command it.
 constexpr std::uint8_t kFailure = 2;
@@ -27,26 +31,49 @@ bool contains(const Ids& ids, const Frame& frame)
   return !frame.extended && !frame.remote && std::find(std::begin(ids), std::end(ids), frame.id) != std::end(ids);
 }
 
+bool moves(const RangerMotion& motion)
+{
+  return motion.speed != 0.0 || motion.yaw != 0.0 || motion.lateral != 0.0;
+}
+
+/// With the angles held.
+RangerMotion standing(double steering)
+{
+  RangerMotion motion;
+  motion.steering = steering;
+  return motion;
+}
+
 }  // namespace
 
 RangerBase::RangerBase(const Robot& robot, const BridgeOptions& options, FaultLog& log)
-  : kinematics_(robot, options.ranger), boot_timeout_(options.boot_timeout), report_(log, kNoAxis), state_at_(kNever),
-    angles_at_(kNever), speeds_at_(kNever)
+  : kinematics_(robot, options.ranger), boot_timeout_(options.boot_timeout), steering_error_(options.steering_error),
+    speed_error_(options.speed_error), report_(log, kNoAxis), state_at_(kNever), mode_at_(kNever), angles_at_(kNever),
+    speeds_at_(kNever), told_at_(kNever), stuck_(options.following_time), off_speed_(options.following_time)
 {
 }
 
-void RangerBase::restart(bool reset_faults, double now, Outbox&)
+void RangerBase::restart(bool reset_faults, double now, Outbox& outbox)
 {
+  // It may still roll.
+  if (told_) outbox.put(encode_ranger_motion(standing(told_->steering)));
+  told_.reset();
   reset_faults_ = reset_faults;
   stage_ = BaseStage::listening;
   entered_ = now;
-  state_at_ = angles_at_ = speeds_at_ = kNever;
-  follows_ = false;
+  state_at_ = mode_at_ = angles_at_ = speeds_at_ = kNever;
+  follows_ = foreign_ = false;
+  stuck_.reset();
+  off_speed_.reset();
 }
 
 void RangerBase::receive(const Frame& frame, double now, Outbox&)
 {
-  if (contains(kCommandIds, frame)) report_(Fault::foreign_master, frame.id, now);
+  if (contains(kCommandIds, frame))
+  {
+    foreign_ = true;
+    report_(Fault::foreign_master, frame.id, now);
+  }
   if (!take(frame, now) && contains(kFeedbackIds, frame)) report_(Fault::malformed_frame, frame.id, now);
 }
 
@@ -54,12 +81,12 @@ void RangerBase::receive(const Frame& frame, double now, Outbox&)
 bool RangerBase::take(const Frame& frame, double now)
 {
   if (const auto state = decode_ranger_state(frame)) return state_ = *state, state_at_ = now, true;
-  if (const auto mode = decode_ranger_mode(frame)) return mode_ = *mode, true;
+  if (const auto mode = decode_ranger_mode(frame)) return mode_ = *mode, mode_at_ = now, true;
   if (const auto angles = decode_ranger_angles(frame)) return angles_ = *angles, angles_at_ = now, true;
   if (!decode_ranger_speeds(frame)) return decode_ranger_motion(frame).has_value();
   speeds_ = *decode_ranger_speeds(frame);
   speeds_at_ = measured_at_ = now;
-  measured_ = kinematics_.measured(angles_, speeds_, told_);
+  measured_ = kinematics_.measured(angles_, speeds_, wanted_.angle);
   return true;
 }
 
@@ -73,7 +100,7 @@ void RangerBase::supervise(double now, Outbox& outbox)
 
 void RangerBase::supervise_start(double now, Outbox& outbox)
 {
-  if (now - entered_ < kListenTime) return;
+  if (foreign_ || now - entered_ < kListenTime) return;
   if (now - entered_ > boot_timeout_) return report_(Fault::boot_timeout, 0, now);
   stage_ = state_at_ == kNever ? BaseStage::booting : BaseStage::starting;
   if (now - asked_ > kAskPeriod)
@@ -82,32 +109,65 @@ void RangerBase::supervise_start(double now, Outbox& outbox)
     outbox.put(encode_ranger_can_control());
     if (reset_faults_) outbox.put(encode_ranger_clear_errors());
   }
-  if (obeys() && std::min({state_at_, angles_at_, speeds_at_}) > entered_) stage_ = BaseStage::started;
+  if (obeys() && std::min({state_at_, mode_at_, angles_at_, speeds_at_}) > entered_) stage_ = BaseStage::started;
 }
 
 void RangerBase::supervise_base(double now)
 {
   if (now - state_at_ > kStateTimeout) report_(Fault::heartbeat_lost, 0, now);
-  if (now - std::min(angles_at_, speeds_at_) > kWheelsTimeout) report_(Fault::feedback_lost, 0, now);
+  const bool lost = now - mode_at_ > kStateTimeout || now - std::min(angles_at_, speeds_at_) > kWheelsTimeout;
+  if (lost) report_(Fault::feedback_lost, 0, now);
   if (state_.vehicle == kFailure) report_(Fault::drive_fault, state_.errors, now);
   if (follows_ && !obeys()) report_(Fault::drive_disabled, state_.control, now);
+  supervise_following(now);
+}
+
+/// Wheels that stand have the interlock's timeout.
+void RangerBase::supervise_following(double now)
+{
+  const bool drives = follows_ && told_ && moves(*told_);
+  const bool stuck = greatest_gap(measured_.angle, wanted_.angle) > steering_error_;
+  const bool off_speed = greatest_gap(measured_.speed, wanted_.speed) > speed_error_;
+  if (stuck_.update(drives && stuck, now)) report_(Fault::steering_stuck, 0, now);
+  if (off_speed_.update(drives && off_speed, now)) report_(Fault::speed_not_followed, 0, now);
 }
 
 void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
 {
   if (stage_ != BaseStage::started) return;
   follows_ = demand.driving == PowerGoal::on || (demand.driving == PowerGoal::keep && follows_);
-  told_ = demand.motion.angle;
-  RangerMotion motion;
-  if (follows_ && demand.mode != Mode::none) motion = kinematics_.base_motion(demand.mode, demand.motion);
-  const bool turning = mode_.changing || mode_.mode != static_cast<std::uint8_t>(kinematics_.base_mode(demand.mode));
-  if (turning) motion.speed = motion.yaw = motion.lateral = 0.0;
-  const bool moves = motion.speed != 0.0 || motion.yaw != 0.0 || motion.lateral != 0.0;
-  if (now - told_at_ < kCommandPeriod && (moves || !told_to_move_)) return;
+  wanted_ = demand.motion;
+  if (!is_to_be_told(demand)) return told_.reset();
+  const RangerMotion motion = motion_of(demand, now);
+  const bool is_stop = told_ && moves(*told_) && !moves(motion);
+  if (now - told_at_ < kCommandPeriod && !is_stop) return;
   told_at_ = now;
-  told_to_move_ = moves;
-  if (demand.mode != Mode::none) outbox.put(encode_ranger_mode(kinematics_.base_mode(demand.mode)));
+  told_ = motion;
+  outbox.put(encode_ranger_mode(kinematics_.base_mode(demand.mode)));
   outbox.put(encode_ranger_motion(motion));
+}
+
+/// Whoever has not commanded it does not steer it, either; a stop ends when it stands.
+bool RangerBase::is_to_be_told(const DriveDemand& demand) const
+{
+  const bool stops = told_ && rolls();
+  return demand.mode != Mode::none && (demand.driving != PowerGoal::off || stops);
+}
+
+/// Wheels that may roll stay on the branch they are on; at rest they take the one that the base can reach.
+RangerMotion RangerBase::motion_of(const DriveDemand& demand, double now) const
+{
+  const bool held = told_ && (!follows_ || moves(*told_) || rolls());
+  const RangerMotion motion = kinematics_.base_motion(demand.mode, demand.motion, held ? told_->steering : 0.0);
+  const bool too_far = demand.mode == Mode::parallel && std::abs(motion.steering) > kParallelTravel;
+  if (too_far && follows_) report_(Fault::unsupported_motion, static_cast<std::uint32_t>(demand.mode), now);
+  if (too_far) return standing(std::copysign(kParallelTravel, motion.steering));
+  return follows_ && !is_turning(demand.mode) ? motion : standing(motion.steering);
+}
+
+bool RangerBase::is_turning(Mode mode) const
+{
+  return mode_.changing || mode_.mode != static_cast<std::uint8_t>(kinematics_.base_mode(mode));
 }
 
 bool RangerBase::rolls() const

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <limits>
+#include <optional>
 
 #include "fault_reporter.h"
 #include "fourwis_navigation/can/base_protocol.h"
 #include "ranger_motion.h"
+#include "steady.h"
 
 namespace fourwis::can
 {
 
 /// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no
-/// drives of its own to switch: out of operation it is told to stand.
+/// drives of its own to switch: out of operation it is told to stand, and when it stands, nothing.
 class RangerBase final : public BaseProtocol
 {
 public:
@@ -34,26 +35,33 @@ public:
 private:
   bool obeys() const { return state_.control == 1 && state_.vehicle == 0; }
   bool rolls() const;
+  bool is_turning(Mode mode) const;
   bool take(const Frame& frame, double now);
   void supervise_start(double now, Outbox& outbox);
   void supervise_base(double now);
+  void supervise_following(double now);
+  bool is_to_be_told(const DriveDemand& demand) const;
+  RangerMotion motion_of(const DriveDemand& demand, double now) const;
 
   RangerKinematics kinematics_;
-  double boot_timeout_;
+  double boot_timeout_, steering_error_, speed_error_;
   FaultReporter report_;
   BaseStage stage_ = BaseStage::listening;
   bool reset_faults_ = false;
+  bool foreign_ = false;    ///< somebody else commands it: we do not start
   bool follows_ = false;    ///< it is told to
   double entered_ = 0.0;    ///< the stage
   double asked_ = 0.0;      ///< for control of the base
   RangerState state_;
   RangerModeState mode_;
-  PerWheel angles_{}, speeds_{}, told_{};
-  double state_at_, angles_at_, speeds_at_;  ///< when they came
+  PerWheel angles_{}, speeds_{};
+  double state_at_, mode_at_, angles_at_, speeds_at_;  ///< when they came
   WheelMotion measured_;
   double measured_at_ = 0.0;
-  double told_at_ = -std::numeric_limits<double>::infinity();
-  bool told_to_move_ = false;
+  WheelMotion wanted_;                ///< what the wheels should do
+  std::optional<RangerMotion> told_;  ///< what it was told last, in this operation
+  double told_at_;
+  Steady stuck_, off_speed_;
 };
 
 }  // namespace fourwis::can

@@ -34,9 +34,9 @@ RangerMode RangerKinematics::base_mode(Mode mode) const
   return RangerMode::park;
 }
 
-RangerMotion RangerKinematics::base_motion(Mode mode, const WheelMotion& wheels) const
+RangerMotion RangerKinematics::base_motion(Mode mode, const WheelMotion& wheels, double near_steering) const
 {
-  const ModeMotion motion = mode_motion(robot_, mode, wheels);
+  const ModeMotion motion = mode_motion(robot_, mode, wheels, near_steering);
   RangerMotion base;
   switch (mode)
   {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "file_descriptor.h"
 #include "fourwis_navigation/can/bus.h"
@@ -22,7 +23,7 @@ public:
   int descriptor() const override { return socket_.get(); }
   bool recover() override;
   BusCounters counters() const override { return counters_; }
-  std::string last_error() const override { return error_; }
+  std::string_view last_error() const override { return error_; }
 
 private:
   void open();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bus_directory.h"
@@ -28,7 +29,7 @@ public:
   int descriptor() const override { return events_.get(); }
   bool recover() override;
   BusCounters counters() const override { return counters_; }
-  std::string last_error() const override { return error_; }
+  std::string_view last_error() const override { return error_; }
 
 private:
   /// A connection to another end. Frames are numbered on each, so that the other knows of those it had no room for.

@@ -52,10 +52,10 @@ BaseTopics::BaseTopics(const Robot& robot, const BaseFrames& frames) : frames_(f
 
 void BaseTopics::publish(const ros::Time& stamp, const WheelState& state, const std::string& explanation)
 {
-  odometry_.update(stamp.toSec(), state.motion);
+  odometry_.update(state.stamp, state.motion);
   if (!silent_.odom) publish_odometry(stamp);
   if (!silent_.wheel_states) wheel_states_.publish(to_message(state, stamp, explanation));
-  publish_joints(stamp, state.motion);
+  publish_joints(stamp, state);
 }
 
 void BaseTopics::publish_odometry(const ros::Time& stamp)
@@ -65,14 +65,15 @@ void BaseTopics::publish_odometry(const ros::Time& stamp)
   if (frames_.publish_odom_tf) tf_.sendTransform(to_message(odometry(), odom.header, frames_.robot_base_frame));
 }
 
-void BaseTopics::publish_joints(const ros::Time& stamp, const WheelMotion& motion)
+void BaseTopics::publish_joints(const ros::Time& stamp, const WheelState& state)
 {
-  const double elapsed = joints_.header.stamp.isZero() ? 0.0 : (stamp - joints_.header.stamp).toSec();
+  const double elapsed = joints_.header.stamp.isZero() ? 0.0 : state.stamp - rolled_until_;
   joints_.header.stamp = stamp;
-  for (std::size_t i = 0; i < motion.angle.size(); ++i)
+  rolled_until_ = state.stamp;
+  for (std::size_t i = 0; i < state.motion.angle.size(); ++i)
   {
-    joints_.position[i] = motion.angle[i];
-    joints_.position[kWheels + i] += motion.speed[i] * elapsed / frames_.wheel_radius;
+    joints_.position[i] = state.motion.angle[i];
+    joints_.position[kWheels + i] += state.motion.speed[i] * elapsed / frames_.wheel_radius;
   }
   joint_states_.publish(joints_);
 }

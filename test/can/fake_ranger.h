@@ -32,7 +32,9 @@ public:
   bool changing() const { return ms_ - mode_changed_ < 500; }
 
   int mode = 0, vehicle = 0, errors = 0;
-  bool in_control = false, silent = false;
+  bool in_control = false, silent = false, jammed = false;
+  bool tells_mode = true;
+  int motions = 0;  ///< commands of motion so far
   int speed = 0, yaw = 0, lateral = 0, steering = 0;  ///< as commanded last [0.001]
 
 private:
@@ -52,10 +54,11 @@ private:
     }
     if (frame.id != 0x111) return;
     commanded_ = ms_;
+    ++motions;
     speed = number(frame, 0);
     yaw = number(frame, 2);
     lateral = number(frame, 4);
-    steering = number(frame, 6);
+    if (!jammed) steering = number(frame, 6);
   }
 
   void report()
@@ -63,7 +66,7 @@ private:
     const auto [angle, v] = wheels();
     end_.send(words(0x271, angle));
     end_.send(words(0x281, v));
-    end_.send(frame_of(0x291, {mode, changing() ? 1 : 0, 0, 0, 0, 0, 0, 0}));
+    if (tells_mode) end_.send(frame_of(0x291, {mode, changing() ? 1 : 0, 0, 0, 0, 0, 0, 0}));
   }
 
   struct Wheels

@@ -153,6 +153,130 @@ TEST_F(RangerBridge, CommandsThatDoNotComeStopIt)
   EXPECT_EQ(fault(), Fault::command_timeout);
 }
 
+TEST_F(RangerBridge, NobodySteersItBeforeItHasACommand)
+{
+  ranger_.mode = 1;
+  ranger_.steering = 700;
+  enable();
+  pass(1.0);
+  EXPECT_EQ(ranger_.steering, 700);
+  EXPECT_EQ(ranger_.motions, 0);
+}
+
+TEST_F(RangerBridge, StopsHoldTheAngles)
+{
+  const std::function<void()> ways[] = {[&] { commands_ = false; }, [&] { bridge_.disable(now()); },
+                                        [&] { bridge_.press_emergency_stop(true, now()); },
+                                        [&] { ranger_.vehicle = 2; }};
+  for (const auto& stop : ways)
+  {
+    enable();
+    command(Mode::parallel, 0.5, 0.7);
+    pass(2.0);
+    ASSERT_EQ(ranger_.speed, 500) << cause();
+    stop();
+    ASSERT_TRUE(wait_for(
+      [&]
+      {
+        EXPECT_EQ(ranger_.steering, 700);
+        return !is_moving();
+      }));
+    pass(1.0);
+    EXPECT_EQ(ranger_.steering, 700);
+    EXPECT_FALSE(is_moving());
+    commands_ = false;
+    bridge_.press_emergency_stop(false, now());
+    bridge_.clear_faults(now());
+  }
+}
+
+TEST_F(RangerBridge, OutOfOperationNothingIsSaid)
+{
+  enable();
+  command(Mode::parallel, 0.5, 0.7);
+  pass(2.0);
+  bridge_.disable(now());
+  ASSERT_TRUE(wait_for([&] { return bridge_.report().stage == BridgeStage::ready; }));
+  const int motions = ranger_.motions;
+  pass(1.0);
+  EXPECT_EQ(ranger_.motions, motions);
+}
+
+TEST_F(RangerBridge, WheelsThatRollDoNotSwingByHalfATurn)
+{
+  enable();
+  command(Mode::parallel, 0.5, 1.55);
+  pass(3.0);
+  ASSERT_EQ(ranger_.speed, 500) << cause();
+  wanted_.motion.angle.fill(1.60);
+  ASSERT_TRUE(wait_for(
+    [&]
+    {
+      EXPECT_GE(ranger_.speed, 0);
+      EXPECT_GE(ranger_.steering, 1500);
+      return !is_moving();
+    }));
+  EXPECT_EQ(fault(), Fault::unsupported_motion);
+}
+
+TEST_F(RangerBridge, AtRestWheelsTakeTheBranchThatTheBaseCanReach)
+{
+  enable();
+  command(Mode::parallel, 0.5, 1.7);
+  pass(3.0);
+  EXPECT_EQ(bridge_.report().stage, BridgeStage::enabled) << cause();
+  EXPECT_EQ(ranger_.speed, -500);
+  EXPECT_NEAR(ranger_.steering, 1700 - 3142, 1);
+}
+
+TEST_F(RangerBridge, SteeringThatIsStuckWhileItRollsIsAFault)
+{
+  enable();
+  command(Mode::ackermann, 0.5, 0.15);
+  pass(3.0);
+  ASSERT_TRUE(is_moving()) << cause();
+  ranger_.jammed = true;
+  command(Mode::ackermann, 0.5, -0.15);
+  pass(1.0);
+  EXPECT_EQ(fault(), Fault::steering_stuck) << cause();
+  EXPECT_FALSE(is_moving());
+}
+
+TEST_F(RangerBridge, AfterALostLinkItIsToldToStandAtOnce)
+{
+  enable();
+  command(Mode::parallel, 0.5, 0.7);
+  pass(2.0);
+  bridge_.set_link(false, now());
+  pass(0.02);
+  ASSERT_TRUE(is_moving());
+  bridge_.set_link(true, now());
+  pass(0.02);
+  EXPECT_FALSE(is_moving());
+  EXPECT_EQ(ranger_.steering, 700);
+}
+
+TEST_F(RangerBridge, IsNotStartedBeforeItHasToldItsMode)
+{
+  ranger_.tells_mode = false;
+  pass(2.0);
+  EXPECT_EQ(bridge_.report().stage, BridgeStage::start);
+  pass(5.0);
+  EXPECT_EQ(fault(), Fault::boot_timeout) << cause();
+}
+
+TEST_F(RangerBridge, WhereSomebodyElseCommandsItNothingIsSaid)
+{
+  for (int i = 0; i < 100; ++i)
+  {
+    ranger_end_->send(frame_of(0x111, {1, 0, 0, 0, 0, 0, 0, 0}));
+    pass(0.01);
+  }
+  EXPECT_EQ(fault(), Fault::foreign_master);
+  EXPECT_FALSE(ranger_.in_control);
+  EXPECT_EQ(bridge_.outbox().sent(), 0u);
+}
+
 TEST_F(RangerBridge, FaultsOfTheBaseStopItAndHaveTheirNames)
 {
   struct Case
@@ -162,6 +286,7 @@ TEST_F(RangerBridge, FaultsOfTheBaseStopItAndHaveTheirNames)
   };
   const Frame foreign = frame_of(0x111, {1, 0, 0, 0, 0, 0, 0, 0}), broken = frame_of(0x271, {0, 0});
   const std::vector<Case> cases = {{[&] { ranger_.silent = true; }, Fault::feedback_lost},
+                                   {[&] { ranger_.tells_mode = false; }, Fault::feedback_lost},
                                    {[&] { ranger_.vehicle = 2; }, Fault::drive_fault},
                                    {[&] { ranger_.vehicle = 1; }, Fault::drive_disabled},
                                    {[&] { ranger_.in_control = false; }, Fault::drive_disabled},
@@ -178,6 +303,7 @@ TEST_F(RangerBridge, FaultsOfTheBaseStopItAndHaveTheirNames)
     EXPECT_EQ(fault(), c.name) << cause();
     EXPECT_FALSE(is_moving());
     ranger_.silent = false;
+    ranger_.tells_mode = true;
     ranger_.vehicle = 0;
     pass(5.0);
     EXPECT_FALSE(is_moving());

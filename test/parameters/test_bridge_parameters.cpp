@@ -108,6 +108,9 @@ TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
   refused([](BridgeOptions& o) { o.master_node = 8; });
   refused([](BridgeOptions& o) { o.drive_watchdog = o.heartbeat_period; });
   refused([](BridgeOptions& o) { o.heartbeat_timeout = 0.01; });
+  refused([](BridgeOptions& o) { o.ranger.place = {1, 1, 2, 3}; });
+  refused([](BridgeOptions& o) { o.ranger.place = {0, 1, 2, 3}; });
+  for (const int other : {0, 1, 2}) refused([=](BridgeOptions& o) { o.ranger.side_slip_mode = other; });
   refused([](BridgeOptions& o) { o.cycle_time = 0.0105; });
   refused([](BridgeOptions& o) { o.feedback_timeout = o.cycle_time; });
   // A heartbeat leaves with a cycle: 80 ms apart, and a cycle later where it is late.

@@ -13,6 +13,7 @@
 #include "fourwis_navigation/InjectFault.h"
 #include "fourwis_navigation/WheelCommands.h"
 #include "fourwis_navigation/WheelStates.h"
+#include "fourwis_navigation/ros/base_topics.h"
 #include "inbox.h"
 #include "node_process.h"
 #include "run_rostest.h"
@@ -27,6 +28,25 @@ using diagnostic_msgs::DiagnosticStatus;
 using fourwis_navigation::InjectFault;
 using fourwis_navigation::WheelCommands;
 using fourwis_navigation::WheelStates;
+
+TEST(BaseTopics, clocks_that_are_set_back_do_not_hold_odometry_back)
+{
+  Inbox<sensor_msgs::JointState> joints("joint_states");
+  BaseTopics topics{Robot(), BaseFrames()};
+  ASSERT_TRUE(wait_until([&] { return joints.connected(); }));
+  WheelState state;
+  state.motion.speed.fill(1.0);
+  for (const double wall : {1000.0, 940.0})
+  {
+    state.stamp += 0.01;
+    topics.publish(ros::Time(wall), state, "");
+  }
+  EXPECT_NEAR(topics.odometry().x, 0.01, 1e-9);
+  ASSERT_TRUE(wait_until([&] { return joints.messages().size() == 2; }));
+  const auto &before = *joints.messages()[0], &after = *joints.messages()[1];
+  EXPECT_EQ(after.header.stamp, ros::Time(940.0));
+  EXPECT_NEAR(after.position[kWheels] - before.position[kWheels], 0.01 / BaseFrames().wheel_radius, 1e-9);
+}
 
 /// A bridge to the drives of a simulated base, and somebody who commands 0.4 m/s straight ahead at 50 Hz.
 class CanBridgeNode : public testing::Test

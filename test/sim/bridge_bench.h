@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,7 @@ public:
   int descriptor() const override { return bus_.descriptor(); }
   bool recover() override { return bus_.recover(); }
   can::BusCounters counters() const override { return bus_.counters(); }
-  std::string last_error() const override { return bus_.last_error(); }
+  std::string_view last_error() const override { return bus_.last_error(); }
 
   std::vector<RecordedFrame> sent;
   double now = 0.0;

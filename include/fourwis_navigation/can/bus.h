@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "fourwis_navigation/can/frame.h"
 
@@ -46,7 +47,7 @@ public:
   virtual bool recover() = 0;
 
   virtual BusCounters counters() const = 0;
-  virtual std::string last_error() const = 0;  ///< for a person; empty when all is well
+  virtual std::string_view last_error() const = 0;  ///< for a person, until the next call; empty when all is well
 };
 
 /// Opens an end of the bus that `name` says: `unix:NAME` a bus among the processes of this machine that needs no CAN

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fourwis_navigation/can/bus.h"
@@ -71,7 +72,7 @@ public:
   int descriptor() const override { return -1; }
   bool recover() override;
   BusCounters counters() const override { return counters_; }
-  std::string last_error() const override;
+  std::string_view last_error() const override;
 
   /// Frames that wait for the bus, the one on it included.
   std::size_t waiting() const { return to_send_.size(); }

@@ -23,7 +23,8 @@ class BaseTopics
 public:
   BaseTopics(const Robot& robot, const BaseFrames& frames);
 
-  /// Odometry goes on to `stamp`, and everything is published. `explanation`: what is the matter with the base.
+  /// Odometry goes on to the state's own stamp, whose clock must be a steady one, and everything is published under
+  /// `stamp`, whose clock may be set. `explanation`: what is the matter with the base.
   void publish(const ros::Time& stamp, const WheelState& state, const std::string& explanation);
 
   /// From now on odometry has the robot there.
@@ -40,12 +41,13 @@ public:
 
 private:
   void publish_odometry(const ros::Time& stamp);
-  void publish_joints(const ros::Time& stamp, const WheelMotion& motion);
+  void publish_joints(const ros::Time& stamp, const WheelState& state);
 
   const BaseFrames frames_;
   WheelOdometry odometry_;
   Silence silent_;
   sensor_msgs::JointState joints_;  ///< as published last: rolled angles add up
+  double rolled_until_ = 0.0;       ///< stamp of the state behind them [s]
   ros::Publisher wheel_states_, odom_, joint_states_;
   tf2_ros::TransformBroadcaster tf_;
 };
