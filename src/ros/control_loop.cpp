@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/ros/stamps.h"
 #include "fourwis_navigation/track/step_number.h"
 #include "refuse.h"
 
@@ -21,7 +22,7 @@ constexpr double kLongestWait = 10.0, kLongestWaitOfStop = 1.0;
 
 bool is_due(const ros::Time& stamp, bool stop, const ros::Time& now)
 {
-  return stamp <= now || (stop && stamp.toSec() - now.toSec() > kLongestWaitOfStop);
+  return stamp <= now || (stop && seconds_between(now, stamp) > kLongestWaitOfStop);
 }
 
 }  // namespace
@@ -55,8 +56,8 @@ void ControlLoop::check(const std_msgs::Header& header) const
            parameters_.node.global_frame, "'");
   if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
-    refuse("trajectory: was planned ", first_.toSec() - header.stamp.toSec(), " s before the controller started");
-  if (const double wait = header.stamp.toSec() - newest_.toSec(); wait > kLongestWait)
+    refuse("trajectory: was planned ", seconds_between(header.stamp, first_), " s before the controller started");
+  if (const double wait = seconds_between(newest_, header.stamp); wait > kLongestWait)
     refuse("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ", kLongestWait, " s");
 }
 
@@ -71,6 +72,7 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
   if (number == number_ || now <= stepped_) return std::nullopt;
   number_ = number;
   locate(odometry);
+  if (problem_.empty() && wheels.state != fourwis_navigation::WheelStates::ENABLED) problem_ = wheels.message;
   input_.wheels = to_wheel_state(wheels);
   return step(now);
 }
@@ -78,7 +80,7 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
 std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 {
   const double patience = std::min(parameters_.track.pose_timeout, parameters_.track.wheel_state_timeout);
-  const auto age = [&](const ros::Time& stamp) { return now.toSec() - stamp.toSec(); };
+  const auto age = [&](const ros::Time& stamp) { return seconds_between(stamp, now); };
   if (first_.isZero() || age(newest_) <= patience) return std::nullopt;
   problem_ = "no odom and wheel_states of one stamp, they are " + std::to_string(age(newest_odometry_)) + " s and " +
              std::to_string(age(newest_wheel_states_)) + " s old";

@@ -22,7 +22,7 @@ ControllerDiagnostics::ControllerDiagnostics()
 void ControllerDiagnostics::stepped(const Tracking& tracking)
 {
   if (last_ && last_->trajectory != tracking.trajectory) refusal_.clear();
-  slowest_ms_ = std::max(slowest_ms_, last_->solve_ms);
+  slowest_ms_ = std::max(slowest_ms_, tracking.solve_ms);
   last_ = tracking;
 }
 

@@ -7,6 +7,7 @@
 #include <ros/console.h>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/ros/stamps.h"
 #include "fourwis_navigation/ros/tracking_marker.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
@@ -58,7 +59,7 @@ void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking
   wheel_commands_.publish(to_message(output.command, step.stamp));
   cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
   tracking_.publish(tracking);
-  if (std::abs(step.stamp.toSec() - shown_.toSec()) < kPicturePeriod) return;
+  if (std::abs(seconds_between(shown_, step.stamp)) < kPicturePeriod) return;
   shown_ = step.stamp;
   marker_.publish(tracking_marker(tracking, robot_base_frame_));
   publish_prediction(step.stamp, prediction);

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/ros/stamps.h"
 
 namespace fourwis
 {
@@ -46,7 +47,7 @@ void DirectBase::publish(const ros::Time& stamp)
 bool DirectBase::answered(const ros::Time& now) const
 {
   if (lockstep_period_ == 0.0 || ros::WallTime::now() - heard_ > kPatience) return true;
-  return now.toSec() - commanded_.toSec() < lockstep_period_;
+  return seconds_between(commanded_, now) < lockstep_period_;
 }
 
 void DirectBase::on_command(const fourwis_navigation::WheelCommands& message)

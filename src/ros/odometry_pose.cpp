@@ -4,6 +4,7 @@
 
 #include <tf2/exceptions.h>
 
+#include "fourwis_navigation/ros/stamps.h"
 #include "refuse.h"
 
 namespace fourwis
@@ -36,7 +37,7 @@ geometry_msgs::TransformStamped OdometryPose::lookup(const std::string& odom_fra
     if (tf_.canTransform(global_frame_, odom_frame, stamp))
       return tf_.lookupTransform(global_frame_, odom_frame, stamp);
     const geometry_msgs::TransformStamped newest = tf_.lookupTransform(global_frame_, odom_frame, ros::Time(0));
-    const double age = stamp.toSec() - newest.header.stamp.toSec();
+    const double age = seconds_between(newest.header.stamp, stamp);
     if (std::abs(age) <= transform_tolerance_) return newest;
     refuse("tf: the transform from '", odom_frame, "' to '", global_frame_, "' is ", age,
            " s older than odom, expected at most transform_tolerance = ", transform_tolerance_, " s");

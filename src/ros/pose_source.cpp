@@ -6,6 +6,7 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include "fourwis_navigation/ros/conversions.h"
+#include "fourwis_navigation/ros/stamps.h"
 
 namespace fourwis
 {
@@ -93,13 +94,13 @@ void PoseSource::set_initial(const geometry_msgs::PoseWithCovarianceStamped& pos
 Pose PoseSource::robot_from_tf(const ros::Time& now) const
 {
   const geometry_msgs::TransformStamped transform = lookup(options_.robot_base_frame, kStartPose);
-  const ros::Duration age = now - transform.header.stamp;
+  const double age = seconds_between(transform.header.stamp, now);
   // A chain of static transforms has no stamp and does not age.
-  if (!transform.header.stamp.isZero() && age.toSec() > options_.transform_tolerance)
+  if (!transform.header.stamp.isZero() && age > options_.transform_tolerance)
   {
     std::ostringstream text;
     text << kStartPose << ": the transform from '" << options_.robot_base_frame << "' to '" << options_.global_frame
-         << "' is " << age.toSec() << " s old, expected at most transform_tolerance = " << options_.transform_tolerance
+         << "' is " << age << " s old, expected at most transform_tolerance = " << options_.transform_tolerance
          << " s";
     throw ConversionError(text.str());
   }

@@ -5,6 +5,7 @@
 
 #include "creep.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "guard.h"
 
 namespace fourwis
 {
@@ -16,15 +17,15 @@ constexpr TrajectoryPoint kNowhere = {0.0, Mode::parallel};
 /// Longest correction of a robot that is as far away as it may be [s].
 double longest(const Robot& robot, const TrackOptions& options)
 {
-  const double way = std::hypot(options.max_lateral_error, options.max_longitudinal_error);
-  return 4.0 + std::max(way, options.max_heading_error * spin_radius(robot)) / options.correction_speed;
+  const double way = std::max(options.max_xy_correction, options.max_yaw_correction * spin_radius(robot));
+  return 4.0 + way / options.correction_speed;
 }
 
 }  // namespace
 
 bool RestingPlace::is_reached(const Pose& at) const
 {
-  return distance(at, pose) <= xy_tolerance && std::abs(wrap_angle(at.theta - pose.theta)) <= yaw_tolerance;
+  return is_within(at, pose, xy_tolerance, yaw_tolerance);
 }
 
 Corrector::Corrector(const Robot& robot, const TrackOptions& options)
@@ -33,6 +34,11 @@ Corrector::Corrector(const Robot& robot, const TrackOptions& options)
     stretch_(robot, &kNowhere, &kNowhere + 1)
 {
   stretch_.reserve(longest(robot, options));
+}
+
+bool Corrector::is_near(const Pose& at, const RestingPlace& to) const
+{
+  return is_within(at, to.pose, options_.max_xy_correction, options_.max_yaw_correction);
 }
 
 bool Corrector::start(const Pose& from, const RestingPlace& to)

@@ -16,7 +16,7 @@ struct RestingPlace
 };
 
 /// Creeping motions from where the robot rests to where it ought to: first it turns in place, then it shifts straight
-/// to the place. Allocates nothing after set-up.
+/// to the place. Only from near, as nobody has verified what lies in between. Allocates nothing after set-up.
 class Corrector
 {
 public:
@@ -25,6 +25,9 @@ public:
   /// Whether a correction goes on, and the stretch to drive for it.
   bool is_active() const { return active_; }
   const Reference& stretch() const { return stretch_; }
+
+  /// Whether `at` is near enough to be corrected.
+  bool is_near(const Pose& at, const RestingPlace& to) const;
 
   /// Begins the next motion; false when correction_timeout is over.
   bool start(const Pose& from, const RestingPlace& to);

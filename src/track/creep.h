@@ -14,8 +14,7 @@ using Creep = std::array<TrajectoryPoint, 4>;
 /// Turns in place by `angle` [rad], wheels rolling at up to `speed` [m/s].
 Creep creeping_turn(const Robot& robot, const Pose& from, double angle, double speed);
 
-/// Straight to the place of `to` without turning, all wheels parallel, at up to `speed` [m/s]. For places so near that
-/// it need not be asked what lies in between.
+/// Straight to the place of `to` without turning, all wheels parallel, at up to `speed` [m/s].
 Creep creeping_shift(const Pose& from, const Pose& to, double speed);
 
 }  // namespace fourwis

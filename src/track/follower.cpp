@@ -125,9 +125,13 @@ ModeMotion Follower::rest(const Measurement& now)
   return still;
 }
 
-ModeMotion Follower::brake()
+ModeMotion Follower::brake(const Measurement& now)
 {
-  asked_.v = std::copysign(std::max(0.0, std::abs(asked_.v) - robot_.max_acceleration * period_), asked_.v);
+  const double forward = std::copysign(1.0, asked_.v);
+  double speed = std::abs(asked_.v);
+  if (now.usable)
+    speed = std::min(speed, forward * mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi).v);
+  asked_.v = forward * std::max(0.0, speed - robot_.max_acceleration * now.period);
   return asked_;
 }
 

@@ -29,9 +29,9 @@ public:
   };
   Answer step(const Measurement& now);
 
-  /// Slows down for one control step along the present curve instead; what to command, v = 0 at last. Needs no
-  /// measurement.
-  ModeMotion brake();
+  /// Slows down for one control step along the present curve instead, from no more than the speed measured where that is
+  /// known; what to command, v = 0 at last.
+  ModeMotion brake(const Measurement& now);
 
   /// Of the last step.
   double clock() const { return clock_; }  ///< the trajectory's time at which the pose was measured [s]

@@ -15,6 +15,9 @@ namespace fourwis
 class Forecast
 {
 public:
+  /// As long a time as this many control steps is remembered.
+  static constexpr int kSteps = 124;
+
   Forecast(const Robot& robot, const TrackOptions& options);
 
   /// Forgets everything: the wheels of this mode rest at phi.
@@ -41,7 +44,7 @@ private:
   };
   ModeMotion expected(double t) const;
 
-  static constexpr std::size_t kMemory = 256;
+  static constexpr std::size_t kMemory = 2 * (kSteps + 4);  ///< two knots for each, some for what is ahead
 
   Robot robot_;
   double drive_lag_, steering_lag_;

@@ -56,6 +56,16 @@ Trouble judge_base(BaseState state)
 
 }  // namespace
 
+double turn_between(const Pose& a, const Pose& b)
+{
+  return std::abs(wrap_angle(a.theta - b.theta));
+}
+
+bool is_within(const Pose& a, const Pose& b, double xy, double yaw)
+{
+  return distance(a, b) <= xy && turn_between(a, b) <= yaw;
+}
+
 Trouble judge_input(const TrackInput& input, const TrackOptions& options)
 {
   if (const Trouble trouble = judge_numbers(input)) return trouble;

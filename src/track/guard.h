@@ -15,6 +15,12 @@ struct Deviation
   double heading = 0.0;       ///< [rad]
 };
 
+/// How far apart two headings are, 0 to pi [rad].
+double turn_between(const Pose& a, const Pose& b);
+
+/// Whether two poses are no farther apart than `xy` [m] and `yaw` [rad].
+bool is_within(const Pose& a, const Pose& b, double xy, double yaw);
+
 /// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that
 /// does not follow.
 Trouble judge_input(const TrackInput& input, const TrackOptions& options);

@@ -88,17 +88,17 @@ void Sequencer::begin(const Trouble& trouble)
   index_ = 0;
   corrector_.finish();
   if (trouble) return enter(TrackState::failed, trouble);
-  if (const Trouble away = judge_start(mission_.front().start_pose())) return enter(TrackState::failed, away);
+  if (const Trouble away = judge_start()) return enter(TrackState::failed, away);
   start_aligning();
 }
 
-Trouble Sequencer::judge_start(const Pose& start) const
+/// Whether the robot rests where the mission begins.
+Trouble Sequencer::judge_start() const
 {
-  if (!measured_.usable || !rests()) return {};
-  const double away = distance(measured_.pose, start);
-  const double turned = std::abs(wrap_angle(measured_.pose.theta - start.theta));
-  if (away <= options_.max_lateral_error && turned <= options_.max_heading_error) return {};
-  return {"the trajectory begins %.3f m and %.3f rad from where the robot is", away, turned};
+  const Pose start = mission_.front().start_pose();
+  if (is_within(measured_.pose, start, options_.xy_start_tolerance, options_.yaw_start_tolerance)) return {};
+  return {"the trajectory begins %.3f m and %.3f rad from the robot", distance(measured_.pose, start),
+          turn_between(measured_.pose, start)};
 }
 
 /// Sets the wheels' angles for the stretch.
@@ -110,6 +110,7 @@ void Sequencer::start_aligning()
     return enter(TrackState::failed, trouble);
   enter(TrackState::aligning);
   aligning_sequence_ = sequence_;
+  place_ = on_mission(next.start_time());
 }
 
 WheelCommand Sequencer::align(const WheelState& wheels)
@@ -136,6 +137,7 @@ bool Sequencer::is_aligned(const WheelState& wheels) const
 WheelCommand Sequencer::drive()
 {
   const Follower::Answer answer = follower_.step(measured_);
+  place_ = on_mission(follower_.clock());
   Trouble trouble = answer.trouble ? answer.trouble : judge_deviation(follower_.deviation(), options_);
   if (!trouble && answer.finished)
   {
@@ -152,16 +154,26 @@ WheelCommand Sequencer::drive()
 void Sequencer::finish_stretch()
 {
   const RestingPlace place = resting_place();
+  const double away = distance(measured_.pose, place.pose), turned = turn_between(measured_.pose, place.pose);
   const bool reached = place.is_reached(measured_.pose);
+  if (!reached && !corrector_.is_near(measured_.pose, place))
+    return enter(TrackState::failed,
+                 {"the robot rests %.4f m and %.4f rad from where it should, too far to correct", away, turned});
   if (!reached && corrector_.start(measured_.pose, place)) return start_aligning();
   corrector_.finish();
   if (!reached && is_last())
     return enter(TrackState::failed,
-                 {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer",
-                  distance(measured_.pose, place.pose), std::abs(wrap_angle(measured_.pose.theta - place.pose.theta))});
+                 {"the robot rests %.4f m and %.4f rad from the goal and could not get nearer", away, turned});
   if (is_last()) return enter(TrackState::arrived);
   ++index_;
   start_aligning();
+}
+
+/// The present stretch's time t as the mission's: a correction is at its stretch's end.
+double Sequencer::on_mission(double t) const
+{
+  const Reference& driven = mission_[index_];
+  return corrector_.is_active() ? driven.end_time() : std::clamp(t, driven.start_time(), driven.end_time());
 }
 
 /// Where the present stretch of the mission should end.
@@ -175,8 +187,7 @@ RestingPlace Sequencer::resting_place() const
 /// Reduces the speed along the present curve; at rest, holds the wheels.
 WheelCommand Sequencer::brake()
 {
-  const ModeMotion slower = follower_.brake();
-  rolling_ = rolling_ && slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
+  rolling_ = rolling_ && slow_down();
   if (rolling_) return steering_.command();
   const double ramp = robot_.max_speed / robot_.max_acceleration;
   if (!measured_.at_rest && elapsed_ <= ramp + kBlindStop) return rest();
@@ -185,6 +196,13 @@ WheelCommand Sequencer::brake()
   else
     enter(TrackState::idle);
   return rest();
+}
+
+/// Whether there is still something to brake.
+bool Sequencer::slow_down()
+{
+  const ModeMotion slower = follower_.brake(measured_);
+  return slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
 }
 
 /// Begins to brake: on the way to `failed` because of trouble, to `idle` without.
@@ -207,12 +225,10 @@ void Sequencer::report(TrackOutput& output)
   output.state = state_;
   write(reason_, message_);
   output.message = message_.data();
+  if (!rests()) output.t = place_;
   if (state_ != TrackState::driving && !(state_ == TrackState::stopping && rolling_)) return;
   output.speed = follower_.asked().v;
   output.phi = follower_.asked().phi;
-  const Reference& driven = mission_[index_];
-  output.t = corrector_.is_active() ? driven.end_time()
-                                    : std::clamp(follower_.clock(), driven.start_time(), driven.end_time());
   output.lateral_error = follower_.deviation().lateral;
   output.longitudinal_error = follower_.deviation().longitudinal;
   output.heading_error = follower_.deviation().heading;

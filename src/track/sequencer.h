@@ -30,9 +30,6 @@ public:
 
   TrackOutput step(const TrackInput& input);
 
-  /// What is wrong with beginning there, as far as it is known where the robot is and that it rests.
-  Trouble judge_start(const Pose& start) const;
-
   /// Empty unless driving.
   const std::vector<Pose>& prediction() const { return state_ == TrackState::driving ? follower_.prediction() : none_; }
 
@@ -42,11 +39,14 @@ private:
   bool is_last() const { return index_ + 1 == mission_.size(); }
   const Reference& stretch() const { return corrector_.is_active() ? corrector_.stretch() : mission_[index_]; }
   RestingPlace resting_place() const;
+  Trouble judge_start() const;
+  double on_mission(double t) const;
 
   // These change the state.
   void begin(const Trouble& trouble);
   void start_aligning();
   void finish_stretch();
+  bool slow_down();
   void brake_for(const Trouble& trouble);
   void enter(TrackState state, const Trouble& reason = {});
 
@@ -79,6 +79,7 @@ private:
   Mission mission_, next_;
   bool has_next_ = false;
   std::size_t index_ = 0;  ///< of the stretch within the mission
+  double place_ = 0.0;     ///< where on the mission the robot should be [s]
 
   bool numbered_ = false;                ///< whether the sequence has begun
   std::uint32_t sequence_ = 0;           ///< of this step's command

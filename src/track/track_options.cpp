@@ -1,59 +1,67 @@
 #include "fourwis_navigation/track/track_options.h"
 
-#include <sstream>
-#include <stdexcept>
+#include <algorithm>
+
+#include "forecast.h"
+#include "fourwis_navigation/model/option_range.h"
 
 namespace fourwis
 {
-namespace
-{
 
-void check(const char* name, double value, double least, double greatest)
+const std::vector<TrackOptionRange>& track_option_ranges()
 {
-  if (value >= least && value <= greatest) return;
-  std::ostringstream text;
-  text << "tracking option " << name << " = " << value << ": must lie between " << least << " and " << greatest;
-  throw std::invalid_argument(text.str());
+  using O = TrackOptions;
+  static const std::vector<TrackOptionRange> ranges = {
+    {"controller_frequency", &O::controller_frequency, 5.0, 500.0, "Hz"},
+
+    {"horizon", &O::horizon, 0.4, 10.0, "s"},
+    {"knots", &O::knots, 2, 200, ""},
+    {"lateral_scale", &O::lateral_scale, 1e-3, 1e3, "m"},
+    {"longitudinal_scale", &O::longitudinal_scale, 1e-3, 1e3, "m"},
+    {"heading_scale", &O::heading_scale, 1e-3, 1e3, "rad"},
+    {"speed_scale", &O::speed_scale, 1e-3, 1e3, "m/s"},
+    {"steering_scale", &O::steering_scale, 1e-3, 1e3, "rad"},
+    {"acceleration_scale", &O::acceleration_scale, 1e-3, 1e3, "m/s^2"},
+    {"steering_rate_scale", &O::steering_rate_scale, 1e-3, 1e3, "rad/s"},
+
+    {"command_latency", &O::command_latency, 0.0, 0.5, "s"},
+    {"drive_lag", &O::drive_lag, 0.0, 0.5, "s"},
+    {"steering_lag", &O::steering_lag, 0.0, 0.5, "s"},
+
+    {"xy_start_tolerance", &O::xy_start_tolerance, 1e-3, 1.0, "m"},
+    {"yaw_start_tolerance", &O::yaw_start_tolerance, 1e-3, 3.15, "rad"},
+    {"xy_goal_tolerance", &O::xy_goal_tolerance, 1e-3, 1.0, "m"},
+    {"yaw_goal_tolerance", &O::yaw_goal_tolerance, 1e-3, 3.15, "rad"},
+    {"xy_switch_tolerance", &O::xy_switch_tolerance, 1e-3, 1.0, "m"},
+    {"yaw_switch_tolerance", &O::yaw_switch_tolerance, 1e-3, 3.15, "rad"},
+    {"max_xy_correction", &O::max_xy_correction, 1e-3, 1.0, "m"},
+    {"max_yaw_correction", &O::max_yaw_correction, 1e-3, 3.15, "rad"},
+    {"correction_speed", &O::correction_speed, 0.01, 1.0, "m/s"},
+    {"correction_timeout", &O::correction_timeout, 0.0, 600.0, "s"},
+    {"settle_time", &O::settle_time, 0.0, 60.0, "s"},
+    {"rest_speed", &O::rest_speed, 1e-4, 1.0, "m/s"},
+    {"alignment_timeout", &O::alignment_timeout, 0.0, 600.0, "s"},
+
+    {"max_lateral_error", &O::max_lateral_error, 1e-3, 3.0, "m"},
+    {"max_longitudinal_error", &O::max_longitudinal_error, 1e-3, 3.0, "m"},
+    {"max_heading_error", &O::max_heading_error, 1e-3, 3.15, "rad"},
+    {"max_wheel_error", &O::max_wheel_error, 1e-2, 3.15, "rad"},
+    {"clock_slack", &O::clock_slack, 1e-3, 3.0, "m"},
+    {"pose_timeout", &O::pose_timeout, 0.01, 2.0, "s"},
+    {"wheel_state_timeout", &O::wheel_state_timeout, 0.01, 2.0, "s"},
+    {"step_timeout", &O::step_timeout, 0.01, 60.0, "s"},
+  };
+  return ranges;
 }
-
-}  // namespace
 
 void check(const TrackOptions& options)
 {
-  check("controller_frequency", options.controller_frequency, 5.0, 500.0);
-  check("horizon", options.horizon, 0.4, 10.0);
-  check("knots", options.knots, 2, 200);
-  check("horizon * controller_frequency", options.horizon * options.controller_frequency, 2.0, 5000.0);
-  for (const auto& [name, scale] : {std::pair("lateral_scale", options.lateral_scale),
-                                    {"longitudinal_scale", options.longitudinal_scale},
-                                    {"heading_scale", options.heading_scale},
-                                    {"speed_scale", options.speed_scale},
-                                    {"steering_scale", options.steering_scale},
-                                    {"acceleration_scale", options.acceleration_scale},
-                                    {"steering_rate_scale", options.steering_rate_scale}})
-    check(name, scale, 1e-3, 1e3);
-  check("command_latency", options.command_latency, 0.0, 0.5);
-  check("drive_lag", options.drive_lag, 0.0, 0.5);
-  check("steering_lag", options.steering_lag, 0.0, 0.5);
-  for (const auto& [name, value] : {std::pair("xy_goal_tolerance", options.xy_goal_tolerance),
-                                    {"yaw_goal_tolerance", options.yaw_goal_tolerance},
-                                    {"xy_switch_tolerance", options.xy_switch_tolerance},
-                                    {"yaw_switch_tolerance", options.yaw_switch_tolerance},
-                                    {"correction_speed", options.correction_speed},
-                                    {"rest_speed", options.rest_speed},
-                                    {"max_lateral_error", options.max_lateral_error},
-                                    {"max_longitudinal_error", options.max_longitudinal_error},
-                                    {"max_heading_error", options.max_heading_error},
-                                    {"max_wheel_error", options.max_wheel_error},
-                                    {"clock_slack", options.clock_slack}})
-    check(name, value, 1e-4, 3.2);
-  for (const auto& [name, time] : {std::pair("correction_timeout", options.correction_timeout),
-                                   {"settle_time", options.settle_time},
-                                   {"alignment_timeout", options.alignment_timeout},
-                                   {"pose_timeout", options.pose_timeout},
-                                   {"wheel_state_timeout", options.wheel_state_timeout},
-                                   {"step_timeout", options.step_timeout}})
-    check(name, time, 0.0, 600.0);
+  for (const TrackOptionRange& range : track_option_ranges())
+    std::visit([&](auto member) { require_between(range.name, options.*member, range.min, range.max); }, range.member);
+  require_between("horizon * controller_frequency", options.horizon * options.controller_frequency, 2.0, 5000.0);
+  const double remembered = options.command_latency + std::max(options.pose_timeout, options.wheel_state_timeout);
+  require_between("(command_latency + the greater of pose_timeout and wheel_state_timeout) * controller_frequency",
+                  remembered * options.controller_frequency, 0.0, Forecast::kSteps);
 }
 
 }  // namespace fourwis

@@ -6,18 +6,6 @@
 namespace fourwis
 {
 
-namespace
-{
-
-std::string text(const Trouble& trouble)
-{
-  Sentence sentence;
-  write(trouble, sentence);
-  return sentence.data();
-}
-
-}  // namespace
-
 class Tracker::Implementation
 {
 public:
@@ -43,8 +31,7 @@ std::string Tracker::accept(const Trajectory& trajectory)
     stop();
     return {};
   }
-  std::string complaint = check_trajectory(self.robot, trajectory);
-  if (complaint.empty()) complaint = text(self.sequencer.judge_start(trajectory.front().pose()));
+  const std::string complaint = check_trajectory(self.robot, trajectory);
   if (!complaint.empty()) return complaint;
   Mission mission = mission_of(self.robot, trajectory);
   self.sequencer.take(mission);

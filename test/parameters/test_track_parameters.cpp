@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -29,10 +30,14 @@ Subject<TrackOptions> subject_of()
            {"command_latency", [](const O& o) { return o.command_latency; }},
            {"drive_lag", [](const O& o) { return o.drive_lag; }},
            {"steering_lag", [](const O& o) { return o.steering_lag; }},
+           {"xy_start_tolerance", [](const O& o) { return o.xy_start_tolerance; }},
+           {"yaw_start_tolerance", [](const O& o) { return o.yaw_start_tolerance; }},
            {"xy_goal_tolerance", [](const O& o) { return o.xy_goal_tolerance; }},
            {"yaw_goal_tolerance", [](const O& o) { return o.yaw_goal_tolerance; }},
            {"xy_switch_tolerance", [](const O& o) { return o.xy_switch_tolerance; }},
            {"yaw_switch_tolerance", [](const O& o) { return o.yaw_switch_tolerance; }},
+           {"max_xy_correction", [](const O& o) { return o.max_xy_correction; }},
+           {"max_yaw_correction", [](const O& o) { return o.max_yaw_correction; }},
            {"correction_speed", [](const O& o) { return o.correction_speed; }},
            {"correction_timeout", [](const O& o) { return o.correction_timeout; }},
            {"settle_time", [](const O& o) { return o.settle_time; }},
@@ -54,6 +59,24 @@ TEST(TrackParameters, MakeATracker)
 {
   Tracker tracker(Robot(), read_track_file(kTrackFile));
   EXPECT_EQ(tracker.step({}).state, TrackState::idle);
+}
+
+/// Without measurements the controller has told the base to stop before that does so by itself and drops its drives.
+TEST(TrackParameters, TheControllerStopsBeforeTheBaseDoes)
+{
+  const TrackOptions track = read_track_file(kTrackFile);
+  const double noticed = std::max(track.pose_timeout, track.wheel_state_timeout) + 2.0 / track.controller_frequency;
+  EXPECT_LT(noticed, read_simulator_file(FOURWIS_SOURCE_DIR "/config/simulator.yaml").command_timeout);
+  EXPECT_LT(noticed, read_bridge_file(FOURWIS_SOURCE_DIR "/config/can_bridge.yaml").command_timeout);
+}
+
+TEST(TrackParameters, WhatWouldNotBeRememberedIsRefused)
+{
+  TrackOptions options;
+  options.controller_frequency = 500.0;
+  EXPECT_NO_THROW(check(options));
+  options.command_latency = 0.2;
+  EXPECT_THROW(check(options), std::invalid_argument);
 }
 
 TEST(TrackParameters, EverythingTheTableAllowsMakesATracker)

@@ -38,7 +38,7 @@ TEST_P(Lost, stops_it_soon_and_says_why_and_afterwards_it_drives_again)
   ASSERT_TRUE(failed);
   EXPECT_NE(failed->message.find(GetParam().said), std::string::npos) << failed->message;
   wait_for_rest();
-  // At 1 m/s: 0.2 s until it is noticed, the latency, and braking.
+  // At 1 m/s: 0.1 s until it is noticed, the latency, and braking.
   EXPECT_LT(distance(truth(), place), 1.0);
 
   repair();

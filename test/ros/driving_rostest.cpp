@@ -1,6 +1,7 @@
 #include <limits>
 #include <set>
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
 
@@ -102,6 +103,19 @@ TEST_F(Driving, the_commands_are_told_as_a_twist_and_the_prediction_is_a_path)
   ASSERT_TRUE(path);
   EXPECT_EQ(path->header.frame_id, "map");
   EXPECT_GT(path->poses.back().pose.position.y, path->poses.front().pose.position.y);
+}
+
+TEST_F(Driving, diagnostics_tell_of_it)
+{
+  Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  send(plan({14, 10, 0}, {true, false, false}));
+  const auto array = diagnostics.wait_for([](const diagnostic_msgs::DiagnosticArray& a)
+                                          { return a.status.size() == 1 && a.status[0].message == "driving"; });
+  ASSERT_TRUE(array);
+  EXPECT_EQ(array->status[0].name, "mpc_controller: tracking");
+  const diagnostic_msgs::KeyValue& slowest = array->status[0].values.back();
+  EXPECT_EQ(slowest.key, "slowest step [ms]");
+  EXPECT_GT(std::stod(slowest.value), 0.0);
 }
 
 TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_on)

@@ -35,8 +35,8 @@ protected:
     odometry.child_frame_id = "base_link";
     odometry.pose.pose = to_message(Pose{});
     WheelState wheels;
-    wheels.state = BaseState::enabled;
-    return loop_.measured(odometry, to_message(wheels, odometry.header.stamp, ""));
+    wheels.state = base_;
+    return loop_.measured(odometry, to_message(wheels, odometry.header.stamp, base_says_));
   }
 
   /// Pairs at 100 Hz from one time up to another; the steps that came of them.
@@ -74,6 +74,8 @@ protected:
     return refusals_.empty() ? "" : refusals_.back();
   }
 
+  BaseState base_ = BaseState::enabled;
+  std::string base_says_;
   tf2::BufferCore tf_;
   std::vector<std::string> refusals_;
   ControlLoop loop_{{}, tf_, [this](const ros::Time&, const std::string& why) { refusals_.push_back(why); }};
@@ -160,6 +162,15 @@ TEST_F(ControlLoopTest, refuses_what_it_cannot_drive_and_says_why)
   measure(kBegin + 1.0, kBegin + 1.1);
   ASSERT_EQ(refusals_.size(), 1u);
   EXPECT_TRUE(says(refusals_[0], "no finite number"));
+}
+
+TEST_F(ControlLoopTest, passes_on_why_the_base_is_not_enabled)
+{
+  base_says_ = "enabled, and as talkative";
+  EXPECT_EQ(measure(kBegin)->problem, "");
+  base_ = BaseState::ready;
+  base_says_ = "emergency stop pressed";
+  EXPECT_EQ(measure(kBegin + 0.1)->problem, "emergency stop pressed");
 }
 
 TEST_F(ControlLoopTest, goes_on_without_measurements_only_to_stop)

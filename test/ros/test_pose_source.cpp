@@ -129,6 +129,12 @@ TEST_F(PoseSourceTest, a_transform_older_than_the_tolerance_is_refused_with_its_
   EXPECT_TRUE(says(text, "is 2 s old, expected at most transform_tolerance = 0.5 s"));
 }
 
+TEST_F(PoseSourceTest, a_transform_of_a_wild_stamp_does_no_harm)
+{
+  tf_.setTransform(transform("map", "base_link", {}, ros::Time(1.0)), "test");
+  EXPECT_TRUE(says(error_of<ConversionError>([&] { source(StartFrom::tf).robot(ros::Time(4294967295.0)); }), " s old"));
+}
+
 TEST_F(PoseSourceTest, a_static_transform_does_not_age)
 {
   tf_.setTransform(transform("map", "base_link", {1, 2, 0}, ros::Time(10.0)), "test", true);

@@ -124,18 +124,86 @@ TEST(TrackerSequence, ANewTrajectoryWhileDrivingStopsFirst)
   EXPECT_LT(distance(rig.base.pose(), next.back().pose()), 0.01);
 }
 
-TEST(TrackerSequence, ATrajectoryThatBeginsElsewhereIsRefused)
+/// What the planner has verified begins at the trajectory's first point, not beside it.
+TEST(TrackerSequence, ATrajectoryThatBeginsElsewhereFails)
+{
+  const TrackOptions limits;
+  for (const auto& [start, says] : {std::pair(Pose{1.0, 0.0, 0.0}, "begins 1.000 m and 0.000 rad from the robot"),
+                                    {Pose{0.0, 1.1 * limits.xy_start_tolerance, 0.0}, "begins 0.033 m and 0.000 rad"},
+                                    {Pose{0.0, 0.0, 1.1 * limits.yaw_start_tolerance}, "begins 0.000 m and 0.033 rad"}})
+  {
+    Rig rig;
+    rig.step();
+    ASSERT_EQ(rig.tracker.accept(sideways(rig.robot, start)), "");
+    EXPECT_EQ(rig.step().state, TrackState::failed);
+    EXPECT_NE(rig.message.find(says), std::string::npos) << rig.message;
+    for (int k = 0; k < 50; ++k) EXPECT_EQ(rig.step().command.mode, Mode::none);
+  }
+}
+
+TEST(TrackerSequence, ATrajectoryThatBeginsNearTheRobotIsDriven)
+{
+  const TrackOptions limits;
+  for (const Pose& start :
+       {Pose{0.0, 0.9 * limits.xy_start_tolerance, 0.0}, Pose{0.0, 0.0, -0.9 * limits.yaw_start_tolerance}})
+  {
+    Rig rig;
+    ASSERT_EQ(rig.tracker.accept(sideways(rig.robot, start)), "");
+    EXPECT_TRUE(rig.step_until(TrackState::arrived)) << rig.message;
+  }
+}
+
+TEST(TrackerSequence, WhereATrajectoryBeginsIsJudgedOnceTheRobotRests)
 {
   Rig rig;
-  rig.step();
-  const std::string refusal = rig.tracker.accept(sideways(rig.robot, {1.0, 0.0, 0.0}));
-  EXPECT_EQ(refusal, "the trajectory begins 1.000 m and 0.000 rad from where the robot is");
-  // While it drives nobody knows yet where it will come to rest.
   ASSERT_EQ(rig.tracker.accept(sideways(rig.robot)), "");
   ASSERT_TRUE(rig.step_until_fast());
   EXPECT_EQ(rig.tracker.accept(sideways(rig.robot, {5.0, 0.0, 0.0})), "");
   ASSERT_TRUE(rig.step_until(TrackState::failed));
   EXPECT_NE(rig.message.find("the trajectory begins "), std::string::npos) << rig.message;
+}
+
+/// The planner holds new maps against what is left of the trajectory from there.
+TEST(TrackerSequence, WhereItIsOnTheTrajectoryNeverGoesBack)
+{
+  Rig rig;
+  const Trajectory trajectory =
+    trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}, {Mode::ackermann, 0.0, 1.0}});
+  ASSERT_EQ(rig.tracker.accept(trajectory), "");
+  bool pushed = false;
+  double before = 0.0;
+  std::set<double> while_aligning;
+  rig.step_until(
+    [&]
+    {
+      if (is_resting(rig.output.state)) return rig.output.state != TrackState::idle;
+      EXPECT_GE(rig.output.t, before);
+      before = rig.output.t;
+      if (rig.output.state == TrackState::aligning) while_aligning.insert(rig.output.t);
+      if (!pushed && rig.output.t > trajectory.back().t - 0.05)
+      {
+        rig.base.push(compose(rig.base.pose(), {0.0, 0.03, 0.0}));
+        pushed = true;
+      }
+      return false;
+    });
+  EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
+  EXPECT_EQ(while_aligning.size(), 4u) << "the three stretches' beginnings, and the end for the correction";
+}
+
+TEST(TrackerSequence, AStopKeepsWhereItWasOnTheTrajectory)
+{
+  for (const TrackState when : {TrackState::driving, TrackState::aligning})
+  {
+    Rig rig;
+    ASSERT_EQ(
+      rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}})), "");
+    ASSERT_TRUE(rig.step_until([&] { return rig.output.t > 1.0 && rig.output.state == when; }));
+    const double t = rig.output.t;
+    rig.tracker.stop();
+    while (rig.step().state == TrackState::stopping) EXPECT_EQ(rig.output.t, t);
+    EXPECT_EQ(rig.output.state, TrackState::idle);
+  }
 }
 
 TEST(TrackerSequence, ARefusedTrajectoryLeavesTheOneBeforeAlone)
@@ -151,7 +219,8 @@ TEST(TrackerSequence, ARefusedTrajectoryLeavesTheOneBeforeAlone)
 
 TEST(TrackerSequence, WhatIsLeftOverAtTheGoalIsCorrected)
 {
-  for (const Pose& push : {Pose{0.0, 0.06, 0.0}, Pose{-0.05, -0.05, 0.0}, Pose{0.0, 0.0, 0.1}, Pose{0.03, 0.05, -0.1}})
+  for (const Pose& push :
+       {Pose{0.0, 0.045, 0.0}, Pose{-0.03, -0.03, 0.0}, Pose{0.0, 0.0, 0.09}, Pose{0.02, 0.03, -0.09}})
   {
     Rig rig;
     const Trajectory trajectory = trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 2.0}});
@@ -164,13 +233,31 @@ TEST(TrackerSequence, WhatIsLeftOverAtTheGoalIsCorrected)
   }
 }
 
+/// Nobody has verified the space between there and where it ought to rest.
+TEST(TrackerSequence, WhatIsFarFromAStretchsEndIsNotCorrected)
+{
+  for (const bool at_switch : {false, true})
+    for (const Pose& push : {Pose{0.0, 0.08, 0.0}, Pose{0.0, 0.0, 0.15}})
+    {
+      Rig rig;
+      std::vector<Piece> pieces = {{Mode::ackermann, 0.0, 2.0}};
+      const double end = trajectory_of(rig.robot, {}, pieces).back().t;
+      if (at_switch) pieces.push_back({Mode::lateral, 0.0, 1.0});
+      ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, pieces)), "");
+      ASSERT_TRUE(rig.step_until([&] { return rig.output.t > end - 0.05; }));
+      rig.base.push(compose(rig.base.pose(), push));
+      ASSERT_TRUE(rig.step_until(TrackState::failed, 3.0));
+      EXPECT_NE(rig.message.find("from where it should, too far to correct"), std::string::npos) << rig.message;
+    }
+}
+
 TEST(TrackerSequence, AGoalThatCannotBeReachedIsGivenUpInBoundedTime)
 {
   Rig rig;
   const Trajectory trajectory = trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 2.0}});
   ASSERT_EQ(rig.tracker.accept(trajectory), "");
   ASSERT_TRUE(rig.step_until([&] { return rig.output.t > trajectory.back().t - 0.05; }));
-  rig.tamper = [](TrackInput& input) { input.pose = {2.0, 0.05, 0.0}; };  // wherever it goes, it does not get nearer
+  rig.tamper = [](TrackInput& input) { input.pose = {2.0, 0.04, 0.0}; };  // wherever it goes, it does not get nearer
   EXPECT_TRUE(rig.step_until([&] { return is_resting(rig.output.state); }, 15.0));
   EXPECT_EQ(rig.output.state, TrackState::failed);
   EXPECT_NE(rig.message.find("from the goal and could not get nearer"), std::string::npos) << rig.message;

@@ -23,7 +23,7 @@ struct ControlStep
   ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
   ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
   TrackOutput output;    ///< its message is valid until the next step
-  std::string problem;    ///< why the pose is not known; empty where it is
+  std::string problem;    ///< why the pose is not known, or why the base says that it is not enabled; empty otherwise
   double speed = 0.0;     ///< of the robot's centre, as odometry has it [m/s]
   double solve_ms = 0.0;  ///< time of the whole step
 };

@@ -4,6 +4,8 @@
 
 #include <ros/time.h>
 
+#include "fourwis_navigation/ros/stamps.h"
+
 namespace fourwis
 {
 
@@ -11,7 +13,7 @@ namespace fourwis
 /// stamp of a message, not when it happens to arrive, is done again when the message is replayed.
 inline ros::Time plausible(const ros::Time& stamp, const ros::Time& now, double tolerance)
 {
-  return std::abs(stamp.toSec() - now.toSec()) <= tolerance ? stamp : now;
+  return std::abs(seconds_between(now, stamp)) <= tolerance ? stamp : now;
 }
 
 }  // namespace fourwis

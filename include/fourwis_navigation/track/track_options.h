@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <variant>
+#include <vector>
 
 namespace fourwis
 {
@@ -27,11 +29,15 @@ struct TrackOptions
   double drive_lag = 0.03;        ///< time constant of the wheels' speeds [s]
   double steering_lag = 0.02;     ///< time constant of the wheels' angles [s]
 
-  // Goal and switches.
+  // Start, switches and goal.
+  double xy_start_tolerance = 0.03;              ///< distance from the trajectory's beginning at which it starts [m]
+  double yaw_start_tolerance = 0.03;             ///< likewise [rad]
   double xy_goal_tolerance = 0.01;               ///< distance from the goal at which it is reached [m]
   double yaw_goal_tolerance = 0.5 * M_PI / 180;  ///< likewise [rad]
   double xy_switch_tolerance = 0.03;             ///< likewise from the place of a switch [m]
   double yaw_switch_tolerance = 0.03;            ///< likewise [rad]
+  double max_xy_correction = 0.05;               ///< what is farther from where it should rest is not corrected [m]
+  double max_yaw_correction = 0.1;               ///< likewise [rad]
   double correction_speed = 0.1;                 ///< of the creeping motion that removes what is left over [m/s]
   double correction_timeout = 10.0;              ///< it may take that long, alignments included [s]
   double settle_time = 0.5;                      ///< after the end of a stretch, to remove the longitudinal error [s]
@@ -44,12 +50,24 @@ struct TrackOptions
   double max_heading_error = 0.3;       ///< [rad]
   double max_wheel_error = 0.15;        ///< of a wheel's angle, for longer than a moment [rad]
   double clock_slack = 0.02;            ///< the trajectory's clock goes slower for a robot farther behind [m]
-  double pose_timeout = 0.2;            ///< greatest age of the pose [s]
-  double wheel_state_timeout = 0.2;     ///< greatest age of the wheels' state [s]
+  double pose_timeout = 0.1;            ///< greatest age of the pose [s]
+  double wheel_state_timeout = 0.1;     ///< greatest age of the wheels' state [s]
   double step_timeout = 0.3;            ///< longest time from one control step to the next [s]
 };
 
-/// Throws std::invalid_argument naming the option, its value and the range.
+/// One of the options and what it may be; `name` is that of the member.
+struct TrackOptionRange
+{
+  const char* name;
+  std::variant<double TrackOptions::*, int TrackOptions::*> member;
+  double min, max;
+  const char* unit;
+};
+
+/// Of all of them.
+const std::vector<TrackOptionRange>& track_option_ranges();
+
+/// Throws std::invalid_argument naming the option, its value and the range. Some are limited together.
 void check(const TrackOptions& options);
 
 }  // namespace fourwis
