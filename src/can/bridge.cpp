@@ -63,6 +63,7 @@ public:
     if (state_ != BridgeState::ready) return "the drives are not ready yet";
     if (pressed_) return "the emergency stop is pressed";
     log_.clear();
+    motion_.begin(now);
     enter(BridgeState::enabling, now);
     return nullptr;
   }
@@ -104,7 +105,7 @@ public:
   BridgeReport report() const
   {
     BridgeReport report;
-    report.stage = bridge_stage(state_, protocol_->stage());
+    report.stage = bridge_stage(state_, protocol_->step());
     report.cause = log_.cause();
     report.history = log_.history();
     report.emergency_stop = pressed_;
@@ -185,7 +186,7 @@ private:
     {
       case BridgeState::waiting: return start(now);
       case BridgeState::starting:
-        if (protocol_->stage() == BaseStage::started) enter(BridgeState::ready, now);
+        if (protocol_->step() == StartStep::started) enter(BridgeState::ready, now);
         return;
       case BridgeState::enabling: return finish_enabling(now);
       case BridgeState::stopping:
@@ -205,13 +206,9 @@ private:
 
   void finish_enabling(double now)
   {
-    if (protocol_->in_operation())
-    {
-      motion_.begin(now);
-      return enter(BridgeState::enabled, now);
-    }
+    if (protocol_->in_operation()) return enter(BridgeState::enabled, now);
     // Homing has a timeout of its own.
-    if (protocol_->stage() == BaseStage::homing) entered_ = now;
+    if (protocol_->step() == StartStep::homing) entered_ = now;
     if (now - entered_ > options_.enable_timeout)
       log_.report(Fault::power_timeout, protocol_->first_not_following(), 0, now);
   }
