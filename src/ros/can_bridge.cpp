@@ -105,7 +105,11 @@ void CanBridge::publish_updates()
 void CanBridge::publish(const BridgeUpdate& update)
 {
   const ros::Time now = ros::Time::now();
-  if (now.isZero()) return;  // simulated time has not begun
+  if (now.isZero())
+  {
+    ROS_WARN_ONCE("/use_sim_time is set and nothing came on /clock: nothing is published before");
+    return;
+  }
   const double age = can::monotonic_now() - update.wheels.stamp;
   // Older than the clock's beginning, or never measured: no stamp.
   const bool has_stamp = update.wheels.stamp > 0.0 && now.toSec() > age;

@@ -89,6 +89,9 @@ TEST(DriveParameters, drives_on_a_bus_are_described_and_only_they)
   for (const auto& [key, value] : read_parameter_file(kConfig + "can_bridge.yaml")) parameters["can_bridge/" + key] = value;
   parameters["can_bridge/wheel_radius"] = 0.2;
   EXPECT_EQ(base_simulator_parameters_from(parameters).bridge.wheel_radius, 0.2);
+  parameters["real_time_factor"] = 5.0;
+  EXPECT_TRUE(says(error_of<ConfigError>([&] { base_simulator_parameters_from(parameters); }), "'real_time_factor'"));
+  parameters["real_time_factor"] = 1.0;
   parameters["bus"] = std::string("direct");
   EXPECT_TRUE(says(error_of<ConfigError>([&] { base_simulator_parameters_from(parameters); }), "unknown parameter"));
 }
