@@ -63,6 +63,7 @@ public:
     if (state_ != BridgeState::ready) return "the drives are not ready yet";
     if (pressed_) return "the emergency stop is pressed";
     log_.clear();
+    motion_.begin(now);
     enter(BridgeState::enabling, now);
     return nullptr;
   }
@@ -205,11 +206,7 @@ private:
 
   void finish_enabling(double now)
   {
-    if (protocol_->in_operation())
-    {
-      motion_.begin(now);
-      return enter(BridgeState::enabled, now);
-    }
+    if (protocol_->in_operation()) return enter(BridgeState::enabled, now);
     // Homing has a timeout of its own.
     if (protocol_->stage() == BaseStage::homing) entered_ = now;
     if (now - entered_ > options_.enable_timeout)

@@ -13,7 +13,7 @@ class Motion
 public:
   Motion(const Robot& robot, const BridgeOptions& options);
 
-  /// The base follows from now on; there is no command yet.
+  /// The base is going to follow; there is no command and no mode yet.
   void begin(double now);
 
   /// Whatever was commanded is not followed any more.

@@ -202,6 +202,20 @@ TEST_F(RangerBridge, OutOfOperationNothingIsSaid)
   EXPECT_EQ(ranger_.motions, motions);
 }
 
+TEST_F(RangerBridge, EnabledAnewItForgetsTheModeItHadBefore)
+{
+  enable();
+  command(Mode::parallel, 0.5, 0.7);
+  pass(2.0);
+  bridge_.disable(now());
+  commands_ = false;
+  ASSERT_TRUE(wait_for([&] { return bridge_.report().stage == BridgeStage::ready; }));
+  ranger_.mode = 0;  // by somebody's remote control
+  enable();
+  pass(1.0);
+  EXPECT_EQ(ranger_.mode, 0);
+}
+
 TEST_F(RangerBridge, WheelsThatRollDoNotSwingByHalfATurn)
 {
   enable();

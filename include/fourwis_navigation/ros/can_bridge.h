@@ -21,8 +21,8 @@ namespace fourwis
 {
 
 /// The bridge's node: `wheel_commands`, `emergency_stop` and the services `~enable`, `~disable`, `~clear_faults` to the
-/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Both topics have a thread of
-/// their own; spin the rest with two: services wait for the drives.
+/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Both topics that it hears
+/// have a thread of their own; spin the rest with two: services wait for the drives.
 class CanBridge
 {
 public:
