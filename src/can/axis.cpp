@@ -111,12 +111,12 @@ void Axis::stop(Outbox& outbox) const
   outbox.put(encode_drive_command(node_, {control::quick_stop, mode_, 0}));
 }
 
-BaseStage Axis::stage() const
+StartStep Axis::step() const
 {
-  if (!startup_.done()) return startup_.stage();
+  if (!startup_.done()) return startup_.step();
   const DriveState power = state();
-  if (resetting_ || power == DriveState::not_ready || power == DriveState::unknown) return BaseStage::starting;
-  return homing_.running() ? BaseStage::homing : BaseStage::started;
+  if (resetting_ || power == DriveState::not_ready || power == DriveState::unknown) return StartStep::starting;
+  return homing_.running() ? StartStep::homing : StartStep::started;
 }
 
 bool Axis::in_operation() const
@@ -196,7 +196,7 @@ void Axis::supervise_power(double now)
   const DriveState power = state();
   resetting_ = resetting_ && is_in_fault(power) && now < reset_until_;
   if (is_in_fault(power) && !resetting_) report_fault_(Fault::drive_fault, status_.statusword, now);
-  if (late_.update(stage() == BaseStage::starting, now))
+  if (late_.update(step() == StartStep::starting, now))
     report_fault_(Fault::power_timeout, status_.statusword, now);
   homing_.supervise(status_, now);
 

@@ -29,7 +29,7 @@ public:
   void stop(Outbox& outbox) const;
 
   int node() const { return node_; }
-  BaseStage stage() const;
+  StartStep step() const;
   bool in_operation() const;
   bool out_of_operation() const;
   double position() const { return steering_ ? scale_.to_position(motion_.position) : rolled_; }  ///< [rad or m]

@@ -26,16 +26,16 @@ void AxisStartup::begin(double now, Outbox& outbox)
 {
   failed_ = false;
   client_.stop();
-  enter(BaseStage::booting, now);
+  enter(StartStep::booting, now);
   send(NmtCommand::reset_communication, now, outbox);
 }
 
 void AxisStartup::receive_heartbeat(NmtState state, double now, Outbox& outbox)
 {
-  if (failed_ || state != NmtState::boot_up || stage_ == BaseStage::listening) return;
-  if (stage_ != BaseStage::booting && now - entered_ < kShortestReboot)
+  if (failed_ || state != NmtState::boot_up || step_ == StartStep::listening) return;
+  if (step_ != StartStep::booting && now - entered_ < kShortestReboot)
     return fail(Fault::duplicate_node, static_cast<std::uint32_t>(node_), now);
-  enter(BaseStage::identifying, now);
+  enter(StartStep::identifying, now);
   client_.start(identification_, now, outbox);
 }
 
@@ -48,7 +48,7 @@ void AxisStartup::receive_sdo(const Frame& frame, double now, Outbox& outbox)
 
 void AxisStartup::receive_cyclic()
 {
-  if (stage_ == BaseStage::starting && !failed_) stage_ = BaseStage::started;
+  if (step_ == StartStep::starting && !failed_) step_ = StartStep::started;
 }
 
 void AxisStartup::supervise(double now, Outbox& outbox)
@@ -56,12 +56,12 @@ void AxisStartup::supervise(double now, Outbox& outbox)
   if (failed_) return;
   client_.supervise(now, outbox);
   go_on(now, outbox);
-  if (stage_ == BaseStage::booting)
+  if (step_ == StartStep::booting)
   {
     if (now - entered_ > boot_timeout_) return fail(Fault::boot_timeout, 0, now);
     if (now - sent_ > kResetPeriod) send(NmtCommand::reset_communication, now, outbox);
   }
-  if (stage_ == BaseStage::starting)
+  if (step_ == StartStep::starting)
   {
     if (now - entered_ > kStartTimeout) return fail(Fault::start_timeout, 0, now);
     if (now - sent_ > kStartPeriod) send(NmtCommand::start, now, outbox);
@@ -73,15 +73,15 @@ void AxisStartup::go_on(double now, Outbox& outbox)
   if (client_.state() == SdoClient::State::failed)
     return fail(client_.fault(), client_.detail(), now, client_.object());
   if (client_.state() != SdoClient::State::done) return;
-  if (stage_ == BaseStage::identifying)
+  if (step_ == StartStep::identifying)
   {
-    enter(BaseStage::configuring, now);
+    enter(StartStep::configuring, now);
     client_.start(configuration_, now, outbox);
   }
-  else if (stage_ == BaseStage::configuring)
+  else if (step_ == StartStep::configuring)
   {
     client_.stop();
-    enter(BaseStage::starting, now);
+    enter(StartStep::starting, now);
     send(NmtCommand::start, now, outbox);
   }
 }

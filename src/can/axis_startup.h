@@ -25,14 +25,14 @@ public:
   /// Once a cycle: repeats what was not answered, gives up what takes too long.
   void supervise(double now, Outbox& outbox);
 
-  BaseStage stage() const { return stage_; }
-  bool done() const { return stage_ == BaseStage::started; }
+  StartStep step() const { return step_; }
+  bool done() const { return step_ == StartStep::started; }
   /// The set-up is complete: the drive understands our cyclic messages.
-  bool is_set_up() const { return stage_ >= BaseStage::starting; }
+  bool is_set_up() const { return step_ >= StartStep::starting; }
 
 private:
   void go_on(double now, Outbox& outbox);
-  void enter(BaseStage stage, double now) { stage_ = stage, entered_ = now; }
+  void enter(StartStep step, double now) { step_ = step, entered_ = now; }
   void send(NmtCommand command, double now, Outbox& outbox);
   void fail(Fault fault, std::uint32_t detail, double now, std::uint32_t object = 0);
 
@@ -41,9 +41,9 @@ private:
   SdoScript identification_, configuration_;
   SdoClient client_;
   FaultReporter report_;
-  BaseStage stage_ = BaseStage::listening;
+  StartStep step_ = StartStep::listening;
   bool failed_ = false;
-  double entered_ = 0.0;  ///< the stage
+  double entered_ = 0.0;  ///< the step
   double sent_ = 0.0;     ///< the last command to the node
 };
 

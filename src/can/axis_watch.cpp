@@ -21,8 +21,9 @@ AxisWatch::AxisWatch(const BridgeOptions& options, double max_speed, double erro
                      FaultReporter report)
   : max_speed_(max_speed), error_(error), heartbeat_timeout_(options.heartbeat_timeout),
     cycle_time_(options.cycle_time),
-    most_unanswered_(std::max(2, static_cast<int>(std::lround(options.feedback_timeout / options.cycle_time)))),
-    most_unasked_(kAnswers * (most_unanswered_ + 1)), not_followed_(not_followed), report_(report), off_(options.following_time)
+    lost_after_(std::max(2, static_cast<int>(std::lround(options.feedback_timeout / options.cycle_time)))),
+    most_unasked_(kAnswers * (lost_after_ + 1)), not_followed_(not_followed), report_(report),
+    off_(options.following_time)
 {
 }
 
@@ -56,7 +57,8 @@ void AxisWatch::receive_motion(std::int32_t position, double now)
 {
   count_answer(unanswered_motion_, now);
   const double possible = kSpeedSlack * max_speed_ * (now - moved_ + kLateCycles * cycle_time_);
-  if (position_ && std::abs(static_cast<double>(counts_between(*position_, position))) > possible) report_(Fault::encoder_jump, 0, now);
+  const double moved = position_ ? counts_between(*position_, position) : 0.0;
+  if (std::abs(moved) > possible) report_(Fault::encoder_jump, 0, now);
   position_ = position;
   moved_ = now;
 }
@@ -71,7 +73,7 @@ void AxisWatch::sync_sent()
 void AxisWatch::supervise(double now)
 {
   if (now - heard_ > heartbeat_timeout_) report_(Fault::heartbeat_lost, 0, now);
-  if (std::max(unanswered_status_, unanswered_motion_) >= most_unanswered_) report_(Fault::feedback_lost, 0, now);
+  if (std::max(unanswered_status_, unanswered_motion_) >= lost_after_) report_(Fault::feedback_lost, 0, now);
 }
 
 void AxisWatch::supervise_following(double difference, double now)

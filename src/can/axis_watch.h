@@ -40,7 +40,8 @@ private:
 
   double max_speed_, error_;
   double heartbeat_timeout_, cycle_time_;
-  int most_unanswered_, most_unasked_;
+  int lost_after_;    ///< so many SYNCs without an answer
+  int most_unasked_;  ///< answers in excess of SYNCs that may come
   Fault not_followed_;
   FaultReporter report_;
   Steady off_;

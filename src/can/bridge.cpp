@@ -105,7 +105,7 @@ public:
   BridgeReport report() const
   {
     BridgeReport report;
-    report.stage = bridge_stage(state_, protocol_->stage());
+    report.stage = bridge_stage(state_, protocol_->step());
     report.cause = log_.cause();
     report.history = log_.history();
     report.emergency_stop = pressed_;
@@ -186,7 +186,7 @@ private:
     {
       case BridgeState::waiting: return start(now);
       case BridgeState::starting:
-        if (protocol_->stage() == BaseStage::started) enter(BridgeState::ready, now);
+        if (protocol_->step() == StartStep::started) enter(BridgeState::ready, now);
         return;
       case BridgeState::enabling: return finish_enabling(now);
       case BridgeState::stopping:
@@ -208,7 +208,7 @@ private:
   {
     if (protocol_->in_operation()) return enter(BridgeState::enabled, now);
     // Homing has a timeout of its own.
-    if (protocol_->stage() == BaseStage::homing) entered_ = now;
+    if (protocol_->step() == StartStep::homing) entered_ = now;
     if (now - entered_ > options_.enable_timeout)
       log_.report(Fault::power_timeout, protocol_->first_not_following(), 0, now);
   }

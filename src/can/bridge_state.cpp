@@ -5,17 +5,17 @@ namespace fourwis::can
 namespace
 {
 
-BridgeStage starting_stage(BaseStage stage)
+BridgeStage starting_stage(StartStep step)
 {
-  switch (stage)
+  switch (step)
   {
-    case BaseStage::listening: return BridgeStage::listening;
-    case BaseStage::booting: return BridgeStage::boot;
-    case BaseStage::identifying: return BridgeStage::identify;
-    case BaseStage::configuring: return BridgeStage::configure;
-    case BaseStage::homing: return BridgeStage::home;
-    case BaseStage::starting:
-    case BaseStage::started: break;
+    case StartStep::listening: return BridgeStage::listening;
+    case StartStep::booting: return BridgeStage::boot;
+    case StartStep::identifying: return BridgeStage::identify;
+    case StartStep::configuring: return BridgeStage::configure;
+    case StartStep::homing: return BridgeStage::home;
+    case StartStep::starting:
+    case StartStep::started: break;
   }
   return BridgeStage::start;
 }
@@ -37,14 +37,14 @@ BaseState base_state(BridgeState state)
   return BaseState::fault;
 }
 
-BridgeStage bridge_stage(BridgeState state, BaseStage stage)
+BridgeStage bridge_stage(BridgeState state, StartStep step)
 {
   switch (state)
   {
     case BridgeState::waiting: return BridgeStage::link_down;
-    case BridgeState::starting: return starting_stage(stage);
+    case BridgeState::starting: return starting_stage(step);
     case BridgeState::ready: return BridgeStage::ready;
-    case BridgeState::enabling: return stage == BaseStage::homing ? BridgeStage::home : BridgeStage::enabling;
+    case BridgeState::enabling: return step == StartStep::homing ? BridgeStage::home : BridgeStage::enabling;
     case BridgeState::enabled: return BridgeStage::enabled;
     case BridgeState::stopping: return BridgeStage::stopping;
     case BridgeState::fault: break;

@@ -6,7 +6,7 @@
 namespace fourwis::can
 {
 
-/// The states of a bridge; within `starting` and `enabling` the protocol has stages of its own.
+/// The states of a bridge; within `starting` and `enabling` the protocol has steps of its own.
 enum class BridgeState
 {
   waiting,   ///< for the bus
@@ -22,6 +22,6 @@ enum class BridgeState
 BaseState base_state(BridgeState state);
 
 /// What people are told of it.
-BridgeStage bridge_stage(BridgeState state, BaseStage stage);
+BridgeStage bridge_stage(BridgeState state, StartStep step);
 
 }  // namespace fourwis::can

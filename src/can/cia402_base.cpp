@@ -92,11 +92,11 @@ void Cia402Base::end_cycle(double now, Outbox& outbox)
   for (Axis& axis : axes_) axis.sync_sent(now);
 }
 
-BaseStage Cia402Base::stage() const
+StartStep Cia402Base::step() const
 {
-  if (listening_) return BaseStage::listening;
-  BaseStage least = BaseStage::started;
-  for (const Axis& axis : axes_) least = std::min(least, axis.stage());
+  if (listening_) return StartStep::listening;
+  StartStep least = StartStep::started;
+  for (const Axis& axis : axes_) least = std::min(least, axis.step());
   return least;
 }
 

@@ -21,7 +21,7 @@ public:
   void command(const DriveDemand& demand, double now, Outbox& outbox) override;
   void end_cycle(double now, Outbox& outbox) override;
 
-  BaseStage stage() const override;
+  StartStep step() const override;
   int first_able_to_move() const override;
   int first_not_following() const override;
   const WheelMotion& measured() const override { return measured_; }

@@ -58,8 +58,8 @@ void Interlock::observe(const WheelCommand& command, const WheelMotion& measured
   // A base that steers by itself may be there before it is told to be.
   const double gap = std::max(greatest_gap(measured.angle, wanted), greatest_gap(setpoint.angle, wanted));
   aligned_now_ = aligned_.update(gap <= tolerance_, now);
-  stands_ = standstill_.update(
-    greatest_magnitude(measured.speed) <= standstill_speed_ && greatest_magnitude(setpoint.speed) <= standstill_speed_, now);
+  const double fastest = std::max(greatest_magnitude(measured.speed), greatest_magnitude(setpoint.speed));
+  stands_ = standstill_.update(fastest <= standstill_speed_, now);
 }
 
 Interlock::Phase Interlock::next_phase(const WheelCommand& command, const WheelMotion& measured,

@@ -59,7 +59,7 @@ void RangerBase::restart(bool reset_faults, double now, Outbox& outbox)
   if (told_) outbox.put(encode_ranger_motion(standing(told_->steering)));
   told_.reset();
   reset_faults_ = reset_faults;
-  stage_ = BaseStage::listening;
+  step_ = StartStep::listening;
   entered_ = now;
   state_at_ = mode_at_ = angles_at_ = speeds_at_ = kNever;
   follows_ = foreign_ = false;
@@ -92,7 +92,7 @@ bool RangerBase::take(const Frame& frame, double now)
 
 void RangerBase::supervise(double now, Outbox& outbox)
 {
-  if (stage_ == BaseStage::started)
+  if (step_ == StartStep::started)
     supervise_base(now);
   else
     supervise_start(now, outbox);
@@ -102,14 +102,14 @@ void RangerBase::supervise_start(double now, Outbox& outbox)
 {
   if (foreign_ || now - entered_ < kListenTime) return;
   if (now - entered_ > boot_timeout_) return report_(Fault::boot_timeout, 0, now);
-  stage_ = state_at_ == kNever ? BaseStage::booting : BaseStage::starting;
+  step_ = state_at_ == kNever ? StartStep::booting : StartStep::starting;
   if (now - asked_ > kAskPeriod)
   {
     asked_ = now;
     outbox.put(encode_ranger_can_control());
     if (reset_faults_) outbox.put(encode_ranger_clear_errors());
   }
-  if (obeys() && std::min({state_at_, mode_at_, angles_at_, speeds_at_}) > entered_) stage_ = BaseStage::started;
+  if (obeys() && std::min({state_at_, mode_at_, angles_at_, speeds_at_}) > entered_) step_ = StartStep::started;
 }
 
 void RangerBase::supervise_base(double now)
@@ -134,7 +134,7 @@ void RangerBase::supervise_following(double now)
 
 void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
 {
-  if (stage_ != BaseStage::started) return;
+  if (step_ != StartStep::started) return;
   follows_ = demand.driving == PowerGoal::on || (demand.driving == PowerGoal::keep && follows_);
   wanted_ = demand.motion;
   if (!is_to_be_told(demand)) return told_.reset();

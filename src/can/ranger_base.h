@@ -24,7 +24,7 @@ public:
   void command(const DriveDemand& demand, double now, Outbox& outbox) override;
   void end_cycle(double, Outbox&) override {}
 
-  BaseStage stage() const override { return stage_; }
+  StartStep step() const override { return step_; }
   int first_able_to_move() const override { return follows_ || rolls() ? 0 : kNoAxis; }
   int first_not_following() const override { return follows_ && obeys() ? kNoAxis : 0; }
   const WheelMotion& measured() const override { return measured_; }
@@ -46,11 +46,11 @@ private:
   RangerKinematics kinematics_;
   double boot_timeout_, steering_error_, speed_error_;
   FaultReporter report_;
-  BaseStage stage_ = BaseStage::listening;
+  StartStep step_ = StartStep::listening;
   bool reset_faults_ = false;
   bool foreign_ = false;    ///< somebody else commands it: we do not start
   bool follows_ = false;    ///< it is told to
-  double entered_ = 0.0;    ///< the stage
+  double entered_ = 0.0;    ///< the step
   double asked_ = 0.0;      ///< for control of the base
   RangerState state_;
   RangerModeState mode_;

@@ -67,6 +67,7 @@ void BaseTopics::publish_odometry(const ros::Time& stamp)
 
 void BaseTopics::publish_joints(const ros::Time& stamp, const WheelState& state)
 {
+  if (state.stamp <= rolled_until_) return;  // nothing new has been measured
   const double elapsed = joints_.header.stamp.isZero() ? 0.0 : state.stamp - rolled_until_;
   joints_.header.stamp = stamp;
   rolled_until_ = state.stamp;

@@ -19,6 +19,14 @@ inline Frame frame_of(std::uint32_t id, std::initializer_list<int> bytes)
   return frame;
 }
 
+/// What a controller says of itself, by the classes of its identifier.
+inline Frame error_frame(std::uint32_t classes, std::initializer_list<int> bytes)
+{
+  Frame frame = frame_of(classes, bytes);
+  frame.error = true;
+  return frame;
+}
+
 /// Anything a bus could deliver, mostly standard data frames.
 inline Frame random_frame(Random& random)
 {

@@ -9,13 +9,6 @@ namespace fourwis::can
 namespace
 {
 
-Frame error_frame(std::uint32_t classes, std::initializer_list<int> bytes)
-{
-  Frame frame = frame_of(classes, bytes);
-  frame.error = true;
-  return frame;
-}
-
 TEST(ControllerNotice, BusOffAndRestartAreClassesOfTheirOwn)
 {
   const auto off = decode_notice(error_frame(0x040, {0, 0, 0, 0, 0, 0, 0, 0}));

@@ -9,13 +9,6 @@ namespace fourwis::can
 namespace
 {
 
-Frame error_frame(std::uint32_t classes, std::initializer_list<int> bytes)
-{
-  Frame frame = frame_of(classes, bytes);
-  frame.error = true;
-  return frame;
-}
-
 const Frame kBusOff = error_frame(0x040, {0, 0, 0, 0, 0, 0, 0, 0});
 const Frame kPassive = error_frame(0x004, {0, 0x20, 0, 0, 0, 0, 130, 7});
 const Frame kProtocolError = error_frame(0x008, {0, 0, 1, 0, 0, 0, 0, 0});

@@ -21,7 +21,7 @@ struct DriveDemand
 };
 
 /// How far a base has got since its start.
-enum class BaseStage : std::uint8_t
+enum class StartStep : std::uint8_t
 {
   listening,    ///< silent: is somebody else commanding these drives?
   booting,      ///< waits for the drives
@@ -68,7 +68,7 @@ public:
   /// Once a cycle, last: what ends it on the bus.
   virtual void end_cycle(double now, Outbox& outbox) = 0;
 
-  virtual BaseStage stage() const = 0;
+  virtual StartStep step() const = 0;
   virtual int first_able_to_move() const = 0;   ///< of the axes that have torque, also to brake; kNoAxis if none
   virtual int first_not_following() const = 0;  ///< of the axes that do not follow; kNoAxis if all follow
   bool in_operation() const { return first_not_following() == kNoAxis; }

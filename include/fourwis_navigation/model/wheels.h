@@ -49,7 +49,7 @@ struct WheelCommand
 enum class BaseState : std::uint8_t
 {
   not_ready = 0,  ///< starting, or without a connection to its drives
-  ready = 1,      ///< could move, but the drives are not enabled, or not yet: they are switched on, or search their zero
+  ready = 1,      ///< could move, but the drives are not enabled, or are just being enabled
   enabled = 2,    ///< follows commands
   stopping = 3,   ///< comes to rest by itself; commands are ignored
   fault = 4       ///< at rest or coasting; needs somebody to clear it
