@@ -46,17 +46,17 @@ class Drive:
             self.trajectory = trajectory
 
     def on_status(self, status):
-        if status.state == PlannerStatus.FAILED and status.goal.header.stamp == self.goal.header.stamp:
+        """The planner decides: what the controller gives up it plans anew."""
+        if status.goal.header.stamp != self.goal.header.stamp:
+            return
+        if status.state == PlannerStatus.FAILED:
             self.failure = f'{status.status}: {status.message}'
+        if status.state in (PlannerStatus.FAILED, PlannerStatus.ARRIVED):
             self.done.set()
 
     def on_tracking(self, step):
-        if self.trajectory is None or step.trajectory != self.trajectory.header.stamp:
-            return
-        self.steps.append(step)
-        if step.state in (Tracking.ARRIVED, Tracking.FAILED):
-            self.failure = step.message if step.state == Tracking.FAILED else None
-            self.done.set()
+        if self.trajectory is not None and step.trajectory == self.trajectory.header.stamp:
+            self.steps.append(step)
 
     def modes(self):
         return ' '.join(dict.fromkeys(MODES[point.mode] for point in self.trajectory.points))

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
 #include "fourwis_navigation/ros/stamps.h"
@@ -20,9 +21,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// A trajectory that is to begin later than this comes from somebody with another clock [s]. A stop that is does not wait.
 constexpr double kLongestWait = 10.0, kLongestWaitOfStop = 1.0;
 
-bool is_due(const ros::Time& stamp, bool stop, const ros::Time& now)
+bool is_stop_due(const ros::Time& due, const ros::Time& now)
 {
-  return stamp <= now || (stop && seconds_between(now, stamp) > kLongestWaitOfStop);
+  return due <= now || seconds_between(now, due) > kLongestWaitOfStop;
 }
 
 }  // namespace
@@ -36,17 +37,33 @@ ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::B
   tracker_.emplace(parameters.robot, parameters.track);
 }
 
-void ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
+bool ControlLoop::take(const fourwis_navigation::ModeTrajectory& trajectory)
 {
   try
   {
-    if (!trajectory.points.empty()) check(trajectory.header);
-    waiting_ = Waiting{trajectory.header.stamp, to_trajectory(trajectory)};
+    if (trajectory.points.empty())
+      take_stop(trajectory.header.stamp);
+    else
+      take_to_drive(trajectory);
+    return true;
   }
   catch (const ConversionError& error)
   {
     refused_(trajectory.header.stamp, error.what());
+    return false;
   }
+}
+
+void ControlLoop::take_stop(const ros::Time& stamp)
+{
+  next_.reset();
+  stop_ = WaitingStop{stamp, stop_ ? std::min(stop_->due, stamp) : stamp};
+}
+
+void ControlLoop::take_to_drive(const fourwis_navigation::ModeTrajectory& trajectory)
+{
+  check(trajectory.header);
+  next_ = WaitingTrajectory{trajectory.header.stamp, to_trajectory(trajectory)};
 }
 
 void ControlLoop::check(const std_msgs::Header& header) const
@@ -90,7 +107,8 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
 void ControlLoop::restart()
 {
   tracker_.emplace(parameters_.robot, parameters_.track);
-  waiting_.reset();
+  stop_.reset();
+  next_.reset();
   trajectory_ = first_ = stepped_ = ros::Time();
   number_ = 0;
 }
@@ -111,14 +129,21 @@ void ControlLoop::locate(const nav_msgs::Odometry& odometry)
   }
 }
 
-void ControlLoop::start_waiting(const ros::Time& now)
+void ControlLoop::stop_or_start(const ros::Time& now)
 {
-  if (!waiting_ || !is_due(waiting_->stamp, waiting_->trajectory.empty(), now)) return;
-  const Waiting due = std::move(*waiting_);
-  waiting_.reset();
-  if (due.trajectory.empty())
+  const bool starts = next_ && next_->stamp <= now;
+  if (stop_ && (starts || is_stop_due(stop_->due, now)))
+  {
     tracker_->stop();
-  else if (const std::string refusal = tracker_->accept(due.trajectory); !refusal.empty())
+    trajectory_ = stop_->stamp;
+    stop_.reset();
+  }
+  if (starts) start(*std::exchange(next_, std::nullopt));
+}
+
+void ControlLoop::start(const WaitingTrajectory& due)
+{
+  if (const std::string refusal = tracker_->accept(due.trajectory); !refusal.empty())
     return refused_(due.stamp, refusal);
   trajectory_ = due.stamp;
 }
@@ -126,12 +151,13 @@ void ControlLoop::start_waiting(const ros::Time& now)
 ControlStep ControlLoop::step(const ros::Time& now)
 {
   using Clock = std::chrono::steady_clock;
-  start_waiting(now);
+  stop_or_start(now);
   stepped_ = now;
   ControlStep result;
   result.stamp = now;
   result.trajectory = trajectory_;
   result.problem = problem_;
+  result.enabled = input_.wheels.state == BaseState::enabled;
   result.speed = speed_;
   input_.now = now.toSec();
   const Clock::time_point start = Clock::now();

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Path.h>
 #include <ros/console.h>
+#include <ros/single_subscriber_publisher.h>
 
 #include "fourwis_navigation/ros/drive_conversions.h"
 #include "fourwis_navigation/ros/stamps.h"
@@ -33,6 +34,7 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
   message.message = std::string(output.message);
   if (!message.message.empty() && !step.problem.empty()) message.message += ": " + step.problem;
   message.trajectory = step.trajectory;
+  message.enabled = step.enabled;
   message.t = output.t;
   message.lateral_error = output.lateral_error;
   message.longitudinal_error = output.longitudinal_error;
@@ -42,13 +44,15 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
   return message;
 }
 
-ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options)
+ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options, const ListenerLeft& left)
   : robot_(robot), global_frame_(options.global_frame), robot_base_frame_(options.robot_base_frame)
 {
   ros::NodeHandle node, private_node("~");
   wheel_commands_ = node.advertise<fourwis_navigation::WheelCommands>("wheel_commands", 1);
   cmd_vel_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-  tracking_ = private_node.advertise<Tracking>("tracking", 100);
+  tracking_ = private_node.advertise<Tracking>(
+    "tracking", 100, ros::SubscriberStatusCallback(),
+    [left](const ros::SingleSubscriberPublisher& listener) { left(listener.getSubscriberName()); });
   marker_ = private_node.advertise<visualization_msgs::Marker>("marker", 1);
   predicted_path_ = private_node.advertise<nav_msgs::Path>("predicted_path", 1);
 }
@@ -68,13 +72,23 @@ void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking
 void ControllerTopics::publish_refusal(const ros::Time& trajectory, const std::string& message)
 {
   ROS_WARN("%s", message.c_str());
-  Tracking refused;
-  refused.header.stamp = ros::Time::now();
-  refused.header.frame_id = global_frame_;
-  refused.state = Tracking::FAILED;
-  refused.message = message;
-  refused.trajectory = trajectory;
-  tracking_.publish(refused);
+  publish_tracking(Tracking::REFUSED, trajectory, message);
+}
+
+void ControllerTopics::publish_ignorance(const std::string& message)
+{
+  publish_tracking(Tracking::STOPPING, {}, message);
+}
+
+void ControllerTopics::publish_tracking(std::uint8_t state, const ros::Time& trajectory, const std::string& message)
+{
+  Tracking tracking;
+  tracking.header.stamp = ros::Time::now();
+  tracking.header.frame_id = global_frame_;
+  tracking.state = state;
+  tracking.message = message;
+  tracking.trajectory = trajectory;
+  tracking_.publish(tracking);
 }
 
 void ControllerTopics::publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction)

@@ -12,18 +12,19 @@ namespace
 
 using fourwis_navigation::Tracking;
 
-DriveReport lost(const std::string& what, double patience)
+DriveReport lost(const std::string& what, double patience, const std::string& reason = "")
 {
   std::ostringstream message;
-  message << "the controller " << what << " for " << patience << " s";
+  message << "the controller " << what << " for " << patience << " s" << (reason.empty() ? "" : ": ") << reason;
   return {DrivePhase::lost, {}, 0.0, message.str()};
 }
 
 std::string why(DrivePhase phase, const Tracking& tracking)
 {
-  if (phase == DrivePhase::failed) return tracking.message;
-  if (phase == DrivePhase::lost) return "the controller has dropped the trajectory: restarted, or sent another one";
-  return "";
+  if (phase == DrivePhase::failed || phase == DrivePhase::unable) return tracking.message;
+  if (phase != DrivePhase::lost) return "";
+  if (tracking.state == Tracking::REFUSED) return tracking.message;
+  return "the controller has dropped the trajectory: restarted, or sent another one";
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ void DriveMonitor::sending(Kind kind, const ros::Time& stamp, const ros::Time& n
   kind_ = kind;
   stamp_ = stamp;
   due_ = heard_ = std::max(stamp, now);
+  unable_ = false;
   report_ = {DrivePhase::pending, now, 0.0, {}};
   rest_since_.reset();
 }
@@ -42,27 +44,46 @@ void DriveMonitor::reported(const Tracking& tracking, const ros::Time& now)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ros::Time stamp = plausible(tracking.header.stamp, now, patience_);
-  heard_ = std::max(heard_, now);
-  const DrivePhase phase = ended() ? report_.phase : phase_after(tracking);
-  if (phase != report_.phase) report_ = {phase, stamp, report_.t, why(phase, tracking)};
-  if (phase == DrivePhase::driving) report_.t = tracking.t;
+  heard_ = now;
+  told_ = tracking.message;
+  if (!ended()) follow(tracking, stamp);
+  if (tracking.state != Tracking::REFUSED) watch_rest(tracking, stamp);
+}
 
-  if (!rests(tracking))
+void DriveMonitor::follow(const Tracking& tracking, const ros::Time& stamp)
+{
+  const bool ours = tracking.trajectory == stamp_ && tracking.state != Tracking::REFUSED;
+  unable_ = unable_ || (ours && !tracking.enabled);
+  const DrivePhase phase = phase_after(tracking);
+  if (phase != report_.phase) report_ = {phase, stamp, report_.t, why(phase, tracking)};
+  // At rest there is no answer to where on the trajectory: it is where it was.
+  if (phase == DrivePhase::driving) report_.t = std::max(report_.t, tracking.t);
+}
+
+void DriveMonitor::watch_rest(const Tracking& tracking, const ros::Time& stamp)
+{
+  if (rests(tracking))
+    rest_since_ = std::min(rest_since_.value_or(stamp), stamp);
+  else
     rest_since_.reset();
-  else if (!rest_since_)
-    rest_since_ = stamp;
 }
 
 DrivePhase DriveMonitor::phase_after(const Tracking& tracking) const
 {
   if (kind_ != Kind::trajectory) return rests(tracking) ? DrivePhase::none : report_.phase;
-  if (tracking.trajectory != stamp_)
-    return report_.phase == DrivePhase::pending ? DrivePhase::pending : DrivePhase::lost;
+  if (tracking.trajectory == stamp_) return phase_of_ours(tracking);
+  const bool drives_another = tracking.state != Tracking::REFUSED && report_.phase != DrivePhase::pending;
+  return drives_another ? DrivePhase::lost : report_.phase;
+}
+
+DrivePhase DriveMonitor::phase_of_ours(const Tracking& tracking) const
+{
   switch (tracking.state)
   {
     case Tracking::ARRIVED: return DrivePhase::arrived;
-    case Tracking::FAILED: return DrivePhase::failed;
-    case Tracking::IDLE: return DrivePhase::lost;
+    case Tracking::FAILED: return unable_ ? DrivePhase::unable : DrivePhase::failed;
+    case Tracking::IDLE:
+    case Tracking::REFUSED: return DrivePhase::lost;
     default: return DrivePhase::driving;
   }
 }
@@ -79,7 +100,7 @@ bool DriveMonitor::rests(const Tracking& tracking) const
 bool DriveMonitor::ended() const
 {
   return report_.phase == DrivePhase::arrived || report_.phase == DrivePhase::failed ||
-         report_.phase == DrivePhase::lost;
+         report_.phase == DrivePhase::unable || report_.phase == DrivePhase::lost;
 }
 
 DriveReport DriveMonitor::report(const ros::Time& now) const
@@ -89,7 +110,7 @@ DriveReport DriveMonitor::report(const ros::Time& now) const
   if (!pending && report_.phase != DrivePhase::driving) return report_;
   if (silent(now)) return lost("has not been heard on topic 'tracking'", patience_);
   if (!pending || now.toSec() - due_.toSec() <= patience_) return report_;
-  return lost(kind_ == Kind::stop ? "has not come to rest" : "has not begun the trajectory", patience_);
+  return lost(kind_ == Kind::stop ? "has not come to rest" : "has not begun the trajectory", patience_, told_);
 }
 
 std::optional<ros::Time> DriveMonitor::at_rest_since(const ros::Time& now) const

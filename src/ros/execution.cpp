@@ -56,7 +56,9 @@ Execution::Ended Execution::come_to_rest(Trip& trip)
   const auto rests = [this] { return monitor_.at_rest_since(ros::Time::now()).has_value(); };
   if (!options_.wait_for_controller || rests()) return std::nullopt;
   topics_.publish_progress(trip.goal.asked, PlannerStatus::STOPPING, "stopping", "stopping: " + trip.reason);
-  send_stop(trip.occasion + ros::Duration(options_.start_delay));
+  // A map's stamp may lie ahead, more than a clock that is replayed lags behind.
+  const ros::Duration delay(options_.stop_delay);
+  send_stop(std::min(trip.occasion, ros::Time::now() + delay) + delay);
   for (; !trip.cancelled; nap())
   {
     if (rests()) return std::nullopt;
@@ -103,7 +105,7 @@ Execution::Ended Execution::drive(Trip& trip)
     const DriveReport report = monitor_.report(ros::Time::now());
     if (report.phase == DrivePhase::arrived) return arrived(trip, report);
     if (report.phase == DrivePhase::failed) return given_up(trip, report);
-    if (report.phase == DrivePhase::lost) return failed(trip, report.message);
+    if (report.phase == DrivePhase::lost || report.phase == DrivePhase::unable) return failed(trip, report.message);
     if (report.phase == DrivePhase::driving && !std::exchange(announced, true))
       topics_.publish_progress(trip.goal.asked, PlannerStatus::DRIVING, "driving", "driving");
     if (is_blocked(trip, report.t, checked)) return std::nullopt;
@@ -141,7 +143,8 @@ GoalOutcome Execution::arrived(const Trip& trip, const DriveReport& report)
 
 GoalOutcome Execution::failed(const Trip& trip, const std::string& message)
 {
-  halt();
+  // Also where it is said to be at rest: whoever does not know what the controller does had better not trust that.
+  send_stop(ros::Time::now());
   topics_.publish_progress(trip.goal.asked, PlannerStatus::FAILED, "drive_failed", message);
   return {GoalOutcome::End::failed, message};
 }

@@ -1,9 +1,13 @@
 #include "fourwis_navigation/ros/global_planner.h"
 
+#include <utility>
+
 #include "fourwis_navigation/ros/conversions.h"
 
 namespace fourwis
 {
+
+using fourwis_navigation::Tracking;
 
 GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
   : tf_listener_(tf_),
@@ -25,11 +29,17 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
   update_subscriber_ = node.subscribe<map_msgs::OccupancyGridUpdate>(
     "map_updates", 100, [this](const map_msgs::OccupancyGridUpdateConstPtr& update) { maps_.add(update); });
   if (parameters.node.wait_for_controller)
-    tracking_subscriber_ = node.subscribe<fourwis_navigation::Tracking>(
-      "tracking", 100, [this](const fourwis_navigation::TrackingConstPtr& tracking)
-      { drive_.reported(*tracking, ros::Time::now()); });
+    tracking_subscriber_ = node.subscribe("tracking", 100, &GlobalPlanner::on_tracking, this);
   if (parameters.node.start_from == StartFrom::initial_pose)
     initial_pose_subscriber_ = node.subscribe("initialpose", 10, &GlobalPlanner::on_initial_pose, this);
+}
+
+void GlobalPlanner::on_tracking(const fourwis_navigation::TrackingConstPtr& tracking)
+{
+  drive_.reported(*tracking, ros::Time::now());
+  const bool drives = tracking->state == Tracking::ALIGNING || tracking->state == Tracking::DRIVING;
+  // What it drives when it is first heard somebody has sent who is gone: nobody looks at the map for it.
+  if (!std::exchange(controller_heard_, true) && drives) goals_.cancel();
 }
 
 void GlobalPlanner::on_initial_pose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose)

@@ -84,6 +84,7 @@ GlobalPlannerOptions options_from(KeyReader& reader)
   options.controller_patience = reader.number("controller_patience", 0.1, 60.0, "s");
   options.replan_attempts = reader.count("replan_attempts", 0, 100, "attempts");
   options.start_delay = reader.number("start_delay", 0.0, 10.0, "s");
+  options.stop_delay = reader.number("stop_delay", 0.0, 0.5, "s");
   options.show_expansions = reader.flag("show_expansions");
   options.show_corridors = reader.flag("show_corridors");
   options.show_iterations = reader.flag("show_iterations");

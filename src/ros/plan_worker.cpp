@@ -50,11 +50,12 @@ void PlanWorker::run()
   {
     changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
     if (waiting_.empty()) return;
-    const Job job = std::move(waiting_.front());
+    Job job = std::move(waiting_.front());
     waiting_.pop_front();
     running_ = job.cancelled;
     lock.unlock();
     job.task(*job.cancelled);
+    job = {};  // what it holds may lock, too
     lock.lock();
     running_.reset();
   }

@@ -110,10 +110,23 @@ TEST_F(Goals, of_two_goals_at_once_the_last_is_driven_to)
   expect_arrival({3, 6, 0});
 }
 
+TEST_F(Goals, goals_that_come_all_the_time_stop_it_and_the_last_is_driven_to)
+{
+  drive_towards(kEast);
+  for (int i = 0; i < 30; ++i)
+  {
+    send_goal({kStart.x, 6.0 + 0.1 * i, 0.0});
+    pass(0.1);
+  }
+  EXPECT_LT(tracking_.messages().back()->speed, 0.05);
+  EXPECT_LT(truth().x, kStart.x + 3.0);
+  expect_arrival({kStart.x, 6.0 + 0.1 * 29, 0.0});
+}
+
 TEST_F(Goals, a_wall_across_the_way_stops_it_in_time_and_is_driven_around)
 {
   drive_towards(kEast);
-  build_wall(8.0, 8.0);
+  build_wall(6.5, 8.0);
   ASSERT_TRUE(wait_for_status("stopping", kEast));
   expect_arrival(kEast);
   expect_free_of_the_map();
@@ -122,7 +135,7 @@ TEST_F(Goals, a_wall_across_the_way_stops_it_in_time_and_is_driven_around)
 TEST_F(Goals, where_a_wall_leaves_no_way_it_stops_before_it_and_says_so)
 {
   drive_towards(kEast);
-  build_wall(8.0, 20.0);
+  build_wall(6.5, 20.0);
   ASSERT_TRUE(wait_for_status("goal_unreachable", kEast));
   wait_for_rest();
   expect_free_of_the_map();

@@ -38,7 +38,7 @@ protected:
     trajectory_.publish(trajectory);
     const auto says_so = [&](const Tracking& t)
     {
-      return t.state == Tracking::FAILED && t.trajectory == trajectory.header.stamp &&
+      return t.state == Tracking::REFUSED && t.trajectory == trajectory.header.stamp &&
              t.message.find(reason) != std::string::npos;
     };
     EXPECT_TRUE(wait_for_tracking(says_so)) << reason;

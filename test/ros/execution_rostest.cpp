@@ -10,7 +10,7 @@ namespace
 {
 
 const Pose kStart{2, 2, 0}, kEast{8, 2, 0}, kNorth{2, 8, 0};
-constexpr double kStartDelay = 0.2;  // config/global_planner.yaml
+constexpr double kStartDelay = 0.2, kStopDelay = 0.05;  // config/global_planner.yaml
 constexpr double kHold = 2.0;        // where drives are held up, about 2 m from the start [s]
 
 std::optional<FakeController> controller;
@@ -85,9 +85,13 @@ protected:
 
   void update_map(double x, double y, double width, double height)
   {
+    update_map(x, y, width, height, ros::Time(++stamp_));
+  }
+  void update_map(double x, double y, double width, double height, const ros::Time& stamp)
+  {
     map_msgs::OccupancyGridUpdate update;
     update.header.frame_id = "map";
-    update.header.stamp = ros::Time(++stamp_);
+    update.header.stamp = stamp;
     const auto cells = [](double length) { return static_cast<int>(std::lround(length / 0.1)); };
     update.x = cells(x);
     update.y = cells(y);
@@ -96,6 +100,15 @@ protected:
     update.data.assign(update.width * update.height, 100);
     update_.publish(update);
     wait_for_map(update.header.stamp);
+  }
+
+  /// The stamp of the stop that comes because of a wall across the way in a map of this stamp.
+  ros::Time stop_for_wall(const ros::Time& stamp)
+  {
+    trajectories_.clear();
+    update_map(6.0, 0.1, 0.2, 9.8, stamp);
+    const auto stop = wait_for_stop();
+    return stop ? stop->header.stamp : ros::Time();
   }
 
   static double stamp_;
@@ -218,9 +231,28 @@ TEST_F(Execution, what_the_controller_gives_up_is_planned_anew_and_in_the_end_fa
   expect_end("ABORTED", "off the path by 0.3 m");
   ASSERT_TRUE(wait_for_status("drive_failed", kEast));
   EXPECT_EQ(story(kEast), "planning succeeded driving planning succeeded driving drive_failed");
-  ASSERT_EQ(sent(), "TT");  // replan_attempts is 1
+  ASSERT_TRUE(wait_for_stop());
+  ASSERT_EQ(sent(), "TTS");  // replan_attempts is 1
   const auto messages = trajectories_.messages();
   EXPECT_GT(messages[1]->points.front().x, messages[0]->points.front().x + 0.3) << "not from where the robot was";
+}
+
+TEST_F(Execution, where_the_base_does_not_let_itself_be_driven_the_goal_fails_at_once)
+{
+  controller->disable_base_at(1.0);
+  send_action(kEast);
+  expect_end("ABORTED", "off the path by 0.3 m");
+  ASSERT_TRUE(wait_for_status("drive_failed", kEast));
+  EXPECT_EQ(story(kEast), "planning succeeded driving drive_failed");
+}
+
+TEST_F(Execution, a_trajectory_of_somebody_else_that_is_refused_does_not_disturb_the_drive)
+{
+  drive_towards(kEast);
+  controller->refuse(ros::Time(1.0));
+  controller->release();
+  expect_end("SUCCEEDED");
+  EXPECT_EQ(sent(), "T");
 }
 
 TEST_F(Execution, what_blocks_the_way_stops_the_robot_and_is_planned_around)
@@ -235,6 +267,22 @@ TEST_F(Execution, what_blocks_the_way_stops_the_robot_and_is_planned_around)
   expect_end("SUCCEEDED");
   EXPECT_EQ(sent(), "ST");
   EXPECT_LT(distance(controller->pose(), kEast), 1e-3);
+}
+
+TEST_F(Execution, a_stop_begins_soon_after_what_blocks_the_way_was_seen)
+{
+  drive_towards(kEast);
+  const ros::Time seen = ros::Time::now();
+  EXPECT_EQ(stop_for_wall(seen), seen + ros::Duration(kStopDelay));
+}
+
+TEST_F(Execution, a_stop_does_not_wait_for_a_map_that_is_stamped_ahead)
+{
+  drive_towards(kEast);
+  const ros::Time ahead = ros::Time::now() + ros::Duration(0.45);
+  const ros::Time stop = stop_for_wall(ahead);
+  EXPECT_FALSE(stop.isZero());
+  EXPECT_LT(stop, ahead);
 }
 
 TEST_F(Execution, obstacles_beside_or_behind_do_not_disturb_the_drive)
@@ -261,8 +309,9 @@ TEST_F(Execution, a_controller_that_was_restarted_gets_nothing_to_drive_until_th
 {
   drive_towards(kEast);
   controller->restart();
-  expect_end("ABORTED", "dropped");
-  EXPECT_EQ(sent(), "T");
+  expect_end("ABORTED", "refused");
+  ASSERT_TRUE(wait_for_stop());
+  EXPECT_EQ(sent(), "TS");
   controller->release();
   send_goal(kNorth);
   EXPECT_TRUE(wait_for_status("arrived", kNorth));

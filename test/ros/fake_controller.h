@@ -44,6 +44,7 @@ public:
     taken_ = ros::Time();
     state_ = Tracking::IDLE;
     hold_ = fail_ = kNever;
+    enabled_ = true;
     silent_ = unstoppable_ = surprised_ = false;
   }
 
@@ -71,12 +72,30 @@ public:
   void release() { set(hold_, kNever); }
   void fail_at(double t) { set(fail_, t); }  ///< gives up there, every time
 
+  /// Gives up there, and whoever looks then sees a base that is not enabled.
+  void disable_base_at(double t)
+  {
+    set(enabled_, false);
+    fail_at(t);
+  }
+
   void fall_silent() { set(silent_, true); }
   void be_unstoppable() { set(unstoppable_, true); }
-  /// As when the node dies and comes up again.
+  /// Says that it does not drive the trajectory of this stamp.
+  void refuse(const ros::Time& trajectory)
+  {
+    Tracking refused;
+    refused.header.stamp = now_;
+    refused.state = Tracking::REFUSED;
+    refused.trajectory = trajectory;
+    refused.message = "refused";
+    tracking_.publish(refused);
+  }
+  /// As when the node dies and comes up again: it gets the latched trajectory, and refuses it before it says anything else.
   void restart()
   {
     const Lock lock(mutex_);
+    refuse(taken_);
     trajectory_.reset();
     taken_ = ros::Time();
     state_ = Tracking::IDLE;
@@ -174,6 +193,7 @@ private:
     tracking.state = state_;
     tracking.trajectory = taken_;
     tracking.message = message_;
+    tracking.enabled = enabled_ || state_ != Tracking::FAILED;
     tracking.t = t_;
     tracking_.publish(tracking);
   }
@@ -192,7 +212,7 @@ private:
   std::uint8_t state_ = Tracking::IDLE;
   std::string message_;
   double t_ = 0.0, hold_ = kNever, fail_ = kNever;
-  bool silent_ = false, unstoppable_ = false, surprised_ = false;
+  bool enabled_ = true, silent_ = false, unstoppable_ = false, surprised_ = false;
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };

@@ -63,6 +63,9 @@ public:
   /// Asks it to end.
   void terminate() { kill(process_, SIGTERM); }
 
+  /// Ends it as a crash does.
+  void crash() { kill(process_, SIGKILL); }
+
   /// Waits for it to end by itself; its exit status, -1 when a signal ended it.
   int exit_status()
   {

@@ -123,6 +123,28 @@ TEST_F(ControlLoopTest, a_stop_ends_what_is_driven_and_what_waits)
   }
 }
 
+TEST_F(ControlLoopTest, a_stop_that_waits_is_not_postponed_by_what_comes_after_it)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  loop_.take(stop(kBegin + 0.3));
+  loop_.take(stop(kBegin + 0.4));
+  loop_.take(trajectory(kBegin + 5.0));
+  EXPECT_EQ(measure(kBegin + 0.2, kBegin + 0.3).back().output.state, TrackState::aligning);
+  const ControlStep step = measure(kBegin + 0.3, kBegin + 0.4).front();
+  EXPECT_EQ(step.output.command.mode, Mode::none);
+  EXPECT_EQ(step.trajectory, ros::Time(kBegin + 0.4)) << "named after the last one";
+  EXPECT_EQ(measure(kBegin + 5.0, kBegin + 5.1).front().trajectory, ros::Time(kBegin + 5.0));
+}
+
+TEST_F(ControlLoopTest, says_whether_the_base_lets_itself_be_driven)
+{
+  EXPECT_TRUE(measure(kBegin)->enabled);
+  base_ = BaseState::ready;
+  EXPECT_FALSE(measure(kBegin + 0.1)->enabled);
+}
+
 TEST_F(ControlLoopTest, a_stop_that_comes_before_the_first_measurement_counts_as_well)
 {
   loop_.take(stop(kBegin - 1.0));

@@ -16,13 +16,15 @@ class DriveMonitorTest : public testing::Test
 {
 protected:
   /// The controller says at `seconds` that it is in `state` with the trajectory of this stamp.
-  void hear(double seconds, std::uint8_t state, const ros::Time& trajectory, const std::string& message = "")
+  void hear(double seconds, std::uint8_t state, const ros::Time& trajectory, const std::string& message = "",
+            bool enabled = true)
   {
     Tracking tracking;
     tracking.header.stamp = now_ = ros::Time(seconds);
     tracking.state = state;
     tracking.trajectory = trajectory;
     tracking.message = message;
+    tracking.enabled = enabled;
     tracking.t = seconds - kBegin.toSec();
     monitor_.reported(tracking, now_);
   }
@@ -81,6 +83,62 @@ TEST_F(DriveMonitorTest, a_failure_has_the_controllers_reason_and_stays_when_the
   hear(101.6, Tracking::IDLE, {});
   EXPECT_EQ(phase(), DrivePhase::failed);
   EXPECT_EQ(monitor_.report(now_).message, "off the path by 0.3 m");
+}
+
+TEST_F(DriveMonitorTest, a_robot_whose_base_does_not_let_itself_be_driven_is_not_to_be_tried_again)
+{
+  begin_to_drive();
+  hear(101.0, Tracking::STOPPING, kBegin, "the base stops by itself", false);
+  hear(102.0, Tracking::FAILED, kBegin, "the base stops by itself", true);  // enabled again in between
+  EXPECT_EQ(phase(), DrivePhase::unable);
+  EXPECT_EQ(monitor_.report(now_).message, "the base stops by itself");
+  monitor_.sending_trajectory(ros::Time(103.0), now_);
+  hear(103.0, Tracking::FAILED, ros::Time(103.0), "pushed");
+  EXPECT_EQ(phase(), DrivePhase::failed) << "a new trajectory is judged anew";
+}
+
+TEST_F(DriveMonitorTest, what_is_refused_to_somebody_else_changes_nothing)
+{
+  begin_to_drive();
+  hear(101.0, Tracking::REFUSED, ros::Time(50.0), "header.frame_id is 'odom'");
+  EXPECT_EQ(phase(), DrivePhase::driving);
+  EXPECT_FALSE(rests());
+  hear(110.0, Tracking::ARRIVED, kBegin);
+  hear(110.1, Tracking::REFUSED, ros::Time(50.0), "header.frame_id is 'odom'");
+  EXPECT_EQ(phase(), DrivePhase::arrived);
+  EXPECT_EQ(monitor_.at_rest_since(now_), ros::Time(110.0));
+}
+
+TEST_F(DriveMonitorTest, a_trajectory_that_is_refused_is_lost_whether_it_had_begun_or_not)
+{
+  begin_to_drive();
+  hear(101.0, Tracking::REFUSED, kBegin, "was planned before the controller started");  // a new one, which got it latched
+  EXPECT_EQ(phase(), DrivePhase::lost);
+  EXPECT_FALSE(rests());
+  monitor_.sending_trajectory(ros::Time(103.0), now_);
+  hear(102.0, Tracking::REFUSED, ros::Time(103.0), "came before odometry");
+  EXPECT_EQ(phase(), DrivePhase::lost);
+  EXPECT_EQ(monitor_.report(now_).message, "came before odometry");
+}
+
+TEST_F(DriveMonitorTest, where_the_robot_was_on_the_trajectory_is_known_while_the_wheels_align)
+{
+  begin_to_drive();
+  hear(105.2, Tracking::DRIVING, kBegin);
+  Tracking aligning;
+  aligning.header.stamp = now_;
+  aligning.state = Tracking::ALIGNING;
+  aligning.trajectory = kBegin;
+  monitor_.reported(aligning, now_);
+  EXPECT_NEAR(monitor_.report(now_).t, 5.0, 1e-9);
+}
+
+TEST_F(DriveMonitorTest, when_the_clock_goes_back_so_does_the_time_of_rest)
+{
+  hear(100.0, Tracking::IDLE, {});
+  hear(80.0, Tracking::IDLE, {});
+  EXPECT_EQ(monitor_.at_rest_since(now_), ros::Time(80.0));
+  EXPECT_FALSE(monitor_.at_rest_since(ros::Time(85.1))) << "heard of long ago";
 }
 
 TEST_F(DriveMonitorTest, a_controller_that_forgets_the_trajectory_has_lost_it)
@@ -151,9 +209,9 @@ TEST_F(DriveMonitorTest, a_robot_that_does_not_come_to_rest_is_lost)
 {
   begin_to_drive();
   monitor_.sending_stop(ros::Time(102.0), ros::Time(101.9));
-  hear(107.1, Tracking::STOPPING, ros::Time(102.0));
+  hear(107.1, Tracking::STOPPING, ros::Time(102.0), "no odom");
   EXPECT_EQ(phase(), DrivePhase::lost);
-  EXPECT_EQ(monitor_.report(now_).message, "the controller has not come to rest for 5 s");
+  EXPECT_EQ(monitor_.report(now_).message, "the controller has not come to rest for 5 s: no odom");
 }
 
 TEST_F(DriveMonitorTest, a_report_with_a_stamp_that_makes_no_sense_counts_when_it_comes)

@@ -46,6 +46,7 @@ TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
   EXPECT_EQ(options.controller_patience, defaults.controller_patience);
   EXPECT_EQ(options.replan_attempts, defaults.replan_attempts);
   EXPECT_EQ(options.start_delay, defaults.start_delay);
+  EXPECT_EQ(options.stop_delay, defaults.stop_delay);
   EXPECT_EQ(options.show_expansions, defaults.show_expansions);
   EXPECT_EQ(options.show_corridors, defaults.show_corridors);
   EXPECT_EQ(options.show_iterations, defaults.show_iterations);
@@ -63,6 +64,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   parameters["controller_patience"] = 3.0;
   parameters["replan_attempts"] = 5.0;
   parameters["start_delay"] = 0.5;
+  parameters["stop_delay"] = 0.1;
   parameters["show_expansions"] = true;
   parameters["show_corridors"] = true;
   parameters["show_iterations"] = true;
@@ -78,6 +80,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.node.controller_patience, 3.0);
   EXPECT_EQ(read.node.replan_attempts, 5);
   EXPECT_EQ(read.node.start_delay, 0.5);
+  EXPECT_EQ(read.node.stop_delay, 0.1);
   EXPECT_TRUE(read.node.show_expansions);
   EXPECT_TRUE(read.node.show_corridors);
   EXPECT_TRUE(read.node.show_iterations);

@@ -23,6 +23,7 @@ struct ControlStep
   ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
   ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
   TrackOutput output;    ///< its message is valid until the next step
+  bool enabled = false;  ///< whether the base lets itself be driven
   std::string problem;    ///< why the pose is not known, or why the base says that it is not enabled; empty otherwise
   double speed = 0.0;     ///< of the robot's centre, as odometry has it [m/s]
   double solve_ms = 0.0;  ///< time of the whole step
@@ -40,10 +41,12 @@ public:
   /// `tf` must outlive this.
   ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
 
-  /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. Refused: one in
+  /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. What comes while a
+  /// stop waits does not postpone it. Refused: one in
   /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over
   /// from somebody else's drive) or far ahead of the newest.
-  void take(const fourwis_navigation::ModeTrajectory& trajectory);
+  /// Returns whether it is not refused right away.
+  bool take(const fourwis_navigation::ModeTrajectory& trajectory);
 
   /// Two messages of one stamp. Empty when it is not time for a step yet.
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
@@ -57,18 +60,29 @@ public:
   /// and before the first measurement.
   std::optional<ControlStep> watch(const ros::Time& now);
 
+  /// Whether there was a measurement yet.
+  bool has_measured() const { return !first_.isZero(); }
+
   const std::vector<Pose>& prediction() const { return tracker_->prediction(); }
 
 private:
-  struct Waiting
+  struct WaitingStop
+  {
+    ros::Time stamp;
+    ros::Time due;  ///< its own stamp, or that of a stop before it that it stands for as well
+  };
+  struct WaitingTrajectory
   {
     ros::Time stamp;
     Trajectory trajectory;
   };
 
   void restart();
+  void take_stop(const ros::Time& stamp);
+  void take_to_drive(const fourwis_navigation::ModeTrajectory& trajectory);
   void check(const std_msgs::Header& header) const;
-  void start_waiting(const ros::Time& now);
+  void stop_or_start(const ros::Time& now);
+  void start(const WaitingTrajectory& due);
   void locate(const nav_msgs::Odometry& odometry);
   ControlStep step(const ros::Time& now);
 
@@ -76,7 +90,8 @@ private:
   const OdometryPose odometry_pose_;
   const Refused refused_;
   std::optional<Tracker> tracker_;  ///< replaced when time goes back
-  std::optional<Waiting> waiting_;
+  std::optional<WaitingStop> stop_;
+  std::optional<WaitingTrajectory> next_;
   ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
   ros::Time first_, newest_;  ///< pair
   ros::Time newest_odometry_, newest_wheel_states_;

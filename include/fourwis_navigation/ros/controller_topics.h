@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,10 @@ namespace fourwis
 class ControllerTopics
 {
 public:
-  ControllerTopics(const Robot& robot, const MpcControllerOptions& options);
+  /// Called with the name of a node that no longer listens to `~tracking`, be it that its process has died.
+  using ListenerLeft = std::function<void(const std::string&)>;
+
+  ControllerTopics(const Robot& robot, const MpcControllerOptions& options, const ListenerLeft& left);
 
   /// Command first: nothing else is urgent. `tracking`: the step as `~tracking` has it.
   void publish(const ControlStep& step, const fourwis_navigation::Tracking& tracking,
@@ -27,7 +31,11 @@ public:
   /// On `~tracking`: the trajectory of this stamp is not driven.
   void publish_refusal(const ros::Time& trajectory, const std::string& message);
 
+  /// On `~tracking`: nobody knows yet whether the robot rests.
+  void publish_ignorance(const std::string& message);
+
 private:
+  void publish_tracking(std::uint8_t state, const ros::Time& trajectory, const std::string& message);
   void publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction);
 
   const Robot robot_;

@@ -19,7 +19,8 @@ enum class DrivePhase
   driving,
   arrived,  ///< at rest at the goal
   failed,   ///< at rest, given up by the controller
-  lost      ///< the controller is silent, late, or has something else to drive
+  unable,   ///< as `failed`, and meanwhile the base did not let itself be driven: to try again would not do
+  lost      ///< refused or dropped by the controller; or that is silent or late, which may pass
 };
 
 struct DriveReport
@@ -27,11 +28,11 @@ struct DriveReport
   DrivePhase phase = DrivePhase::none;
   ros::Time since;      ///< stamp of the controller's first report of this phase
   double t = 0.0;       ///< where on the trajectory the robot is [s]
-  std::string message;  ///< of `failed` and `lost`: why
+  std::string message;  ///< of `failed`, `unable` and `lost`: why
 };
 
-/// Makes one story of the controller's reports. Arrived, failed and dropped stay until something else is sent. The stamps
-/// it answers with are those of the reports; `now` only tells what does not come. Safe to use from several threads at once.
+/// Makes one story of the controller's reports. What has ended stays so until something else is sent. The stamps it answers
+/// with are those of the reports; `now` only tells what does not come. Safe to use from several threads at once.
 class DriveMonitor
 {
 public:
@@ -59,7 +60,10 @@ private:
   };
 
   void sending(Kind kind, const ros::Time& stamp, const ros::Time& now);
+  void follow(const fourwis_navigation::Tracking& tracking, const ros::Time& stamp);
+  void watch_rest(const fourwis_navigation::Tracking& tracking, const ros::Time& stamp);
   DrivePhase phase_after(const fourwis_navigation::Tracking& tracking) const;
+  DrivePhase phase_of_ours(const fourwis_navigation::Tracking& tracking) const;
   bool rests(const fourwis_navigation::Tracking& tracking) const;
   bool ended() const;
   bool silent(const ros::Time& now) const { return now.toSec() - heard_.toSec() > patience_; }
@@ -70,6 +74,8 @@ private:
   ros::Time stamp_;  ///< of what was sent
   ros::Time due_;    ///< when it should begin
   ros::Time heard_;  ///< when the controller was last heard, or given something to say
+  bool unable_ = false;  ///< whether the base has not let itself be driven since it begun
+  std::string told_;     ///< the controller's last message
   DriveReport report_;
   std::optional<ros::Time> rest_since_;
 };

@@ -27,6 +27,7 @@ public:
   explicit GlobalPlanner(const GlobalPlannerParameters& parameters);
 
 private:
+  void on_tracking(const fourwis_navigation::TrackingConstPtr& tracking);
   void on_initial_pose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose);
 
   // In this order, so that whatever uses another goes before it.
@@ -38,6 +39,7 @@ private:
   MapPlanner planner_;
   PlannerDiagnostics diagnostics_;
   DriveMonitor drive_;
+  bool controller_heard_ = false;
   Execution execution_;
   GoalServer goals_;
   PlanServices services_;

@@ -31,6 +31,7 @@ struct GlobalPlannerOptions
   double controller_patience = 5.0;            ///< how long it may say nothing, begin late, or take to stop [s]
   int replan_attempts = 2;                     ///< new plans for a goal after the controller has given one up
   double start_delay = 0.2;                    ///< from the time a plan starts from to the time it begins [s]
+  double stop_delay = 0.05;                    ///< from the reason to stop to the time at which it begins [s]
   bool show_expansions = false;                ///< draw the nodes that the search expanded
   bool show_corridors = false;                 ///< draw the regions that the optimisation kept the disc centres in
   bool show_iterations = false;                ///< draw what each round of the optimisation made of the path
