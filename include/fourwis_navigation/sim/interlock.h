@@ -9,7 +9,8 @@ namespace fourwis
 
 /// Keeps wheels that point somewhere else from driving: a command of another mode than the one before, or with angles
 /// far from it, first waits for standstill, then turns the wheels, then waits until they are aligned, and only then
-/// lets them drive.
+/// lets them drive. The bridge keeps the same promise for drives on a bus by rules and thresholds of its own
+/// (src/can/interlock.h): what is tuned here is not tuned there.
 class Interlock
 {
 public:

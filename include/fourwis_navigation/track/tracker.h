@@ -42,7 +42,8 @@ struct TrackOutput
   WheelCommand command;  ///< with its sequence: `aligned` counts once the base has taken a command of this alignment
   TrackState state = TrackState::idle;
   std::string_view message;         ///< why it stops or failed, otherwise empty; valid until the next step
-  double t = 0.0;                   ///< where on the trajectory the robot should be at `pose_stamp` [s]
+  double t = 0.0;                   ///< where on the trajectory the robot should be at `pose_stamp`, or was when it
+                                    ///< began to stop [s]; 0 in the states that are at rest
   double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
   double longitudinal_error = 0.0;  ///< along the direction of travel [m]
   double heading_error = 0.0;       ///< [rad]
@@ -61,8 +62,8 @@ public:
   ~Tracker();
 
   /// Takes a trajectory to drive from its beginning, or says in a sentence why not (then the one before goes on). Only
-  /// at rest: while driving, the robot stops first and starts the new one if it is near its beginning then. An empty
-  /// trajectory stops.
+  /// at rest: while driving, the robot stops first. It starts the new one if it rests near its beginning then, otherwise
+  /// `failed`. An empty trajectory stops.
   std::string accept(const Trajectory& trajectory);
 
   /// Brakes to rest and forgets the trajectory.
