@@ -149,11 +149,14 @@ protected:
       });
   }
 
-  /// The first trajectory published at `time` or later. It comes on a connection of its own: the status that tells of
-  /// it may be here before.
+  /// The first trajectory for a goal given at `time` or later: it begins `start_delay` after that. It comes on a
+  /// connection of its own: the status that tells of it may be here before.
   Inbox<ModeTrajectory>::Pointer wait_for_trajectory_since(const ros::Time& time)
   {
-    return trajectories_.wait_for([&](const ModeTrajectory& t) { return t.header.stamp >= time; });
+    double start_delay = 0.0;
+    EXPECT_TRUE(node_.getParam("move_base/start_delay", start_delay));
+    const ros::Time begin = time + ros::Duration(start_delay);
+    return trajectories_.wait_for([&](const ModeTrajectory& t) { return t.header.stamp >= begin; });
   }
 
   /// The trajectory that is published now, as somebody sees it who comes late.
