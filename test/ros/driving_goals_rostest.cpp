@@ -1,6 +1,5 @@
 #include "../support/rectangle.h"
-#include "planner_fixture.h"
-#include "simulated_drive.h"
+#include "planned_drive.h"
 
 namespace fourwis
 {
@@ -9,8 +8,8 @@ namespace
 
 const Pose kStart{3, 3, 0}, kEast{16, 3, 0}, kNorth{3, 16, M_PI / 2};
 
-/// Goals come to the planner and the simulated robot drives there.
-class Goals : public PlannerFixture, protected SimulatedDrive
+/// On a map that changes while the robot drives.
+class Goals : public PlannedDrive
 {
 protected:
   void SetUp() override
@@ -27,22 +26,6 @@ protected:
     trajectories_.clear();
     tracking_.clear();
     truth_.clear();
-  }
-
-  /// Returns when the robot is fast on its way there.
-  void drive_towards(const Pose& goal)
-  {
-    send_goal(goal);
-    const auto trajectory = trajectories_.wait_for([](const ModeTrajectory& t) { return !t.points.empty(); });
-    ASSERT_TRUE(trajectory);
-    wait_for_motion(trajectory->header.stamp);
-    trajectories_.clear();
-  }
-
-  void expect_arrival(const Pose& goal)
-  {
-    ASSERT_TRUE(wait_for_status("arrived", goal));
-    expect_at(goal);
   }
 
   /// The robot, wherever it was, against the map as it is now.

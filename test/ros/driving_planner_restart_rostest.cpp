@@ -1,8 +1,7 @@
 #include <memory>
 
 #include "node_process.h"
-#include "planner_fixture.h"
-#include "simulated_drive.h"
+#include "planned_drive.h"
 
 namespace fourwis
 {
@@ -12,7 +11,7 @@ namespace
 const Pose kStart{3, 3, 0}, kEast{16, 3, 0}, kNorth{5, 6, M_PI / 2};
 
 /// Planner and controller die and come up again. Nothing moves then before there is a new goal.
-class Restarts : public PlannerFixture, protected SimulatedDrive
+class Restarts : public PlannedDrive
 {
 protected:
   void SetUp() override
@@ -47,16 +46,6 @@ protected:
       }));
   }
 
-  /// Returns when the robot is fast on its way there.
-  void drive_towards(const Pose& goal)
-  {
-    send_goal(goal);
-    const auto trajectory = trajectories_.wait_for([](const ModeTrajectory& t) { return !t.points.empty(); });
-    ASSERT_TRUE(trajectory);
-    wait_for_motion(trajectory->header.stamp);
-    trajectories_.clear();
-  }
-
   /// From the place where something has just happened to it.
   void expect_stopped_soon(const Pose& place)
   {
@@ -70,8 +59,7 @@ protected:
     pass(2.0);
     EXPECT_LT(distance(truth(), rest), 1e-4);
     send_goal(kNorth);
-    ASSERT_TRUE(wait_for_status("arrived", kNorth));
-    expect_at(kNorth);
+    expect_arrival(kNorth);
   }
 
   static double stamp_;
