@@ -9,6 +9,7 @@
 
 #include "fourwis_navigation/can/real_time.h"
 #include "fourwis_navigation/ros/drive_conversions.h"
+#include "fourwis_navigation/ros/stamps.h"
 
 namespace fourwis
 {
@@ -115,7 +116,7 @@ void CanBridge::publish(const BridgeUpdate& update)
   const bool has_stamp = update.wheels.stamp > 0.0 && now.toSec() > age;
   // Without anything new from the wheels there is no odometry, but still a state to be told: it keeps its old stamp.
   const bool is_new = has_stamp && update.wheels.stamp > measured_;
-  if (is_new) measured_ = update.wheels.stamp, stamp_ = now - ros::Duration(age);
+  if (is_new) measured_ = update.wheels.stamp, stamp_ = in_order(stamp_, now - ros::Duration(age));
   topics_.set_silence({!is_new, false});
   topics_.publish(stamp_, update.wheels, explanation(update.report));
 }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include <ros/console.h>
+
 #include "fourwis_navigation/ros/drive_conversions.h"
 #include "fourwis_navigation/ros/stamps.h"
 #include "fourwis_navigation/track/step_number.h"
@@ -82,7 +84,9 @@ std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odome
                                                  const fourwis_navigation::WheelStates& wheels)
 {
   const ros::Time now = odometry.header.stamp;
-  if (now < newest_) restart();
+  const double back = seconds_between(now, newest_);
+  if (back > kClockSetBack) restart(back);
+  if (now < newest_) return std::nullopt;
   if (first_.isZero()) first_ = now;
   newest_ = now;
   const std::uint64_t number = step_number(now.toSec(), parameters_.track.controller_frequency);
@@ -104,12 +108,13 @@ std::optional<ControlStep> ControlLoop::watch(const ros::Time& now)
   return step(now);
 }
 
-void ControlLoop::restart()
+void ControlLoop::restart(double back)
 {
+  ROS_WARN("time went back by %.3f s: forgetting what was to be driven", back);
   tracker_.emplace(parameters_.robot, parameters_.track);
   stop_.reset();
   next_.reset();
-  trajectory_ = first_ = stepped_ = ros::Time();
+  trajectory_ = first_ = newest_ = stepped_ = ros::Time();
   number_ = 0;
 }
 

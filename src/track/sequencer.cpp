@@ -222,7 +222,8 @@ void Sequencer::enter(TrackState state, const Trouble& reason)
 
 void Sequencer::report(TrackOutput& output)
 {
-  output.state = state_;
+  // Rest between a mission that was broken off and the one that waits is not the end of the latter.
+  output.state = has_next_ && rests() ? TrackState::stopping : state_;
   write(reason_, message_);
   output.message = message_.data();
   if (!rests()) output.t = place_;

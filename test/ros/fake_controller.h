@@ -148,7 +148,9 @@ private:
     taken_ = trajectory_->header.stamp;
     t_ = 0.0;
     message_.clear();
-    state_ = stops ? Tracking::STOPPING : Tracking::DRIVING;
+    // Like the controller, which has nothing to stop when it rests.
+    const bool rested = state_ != Tracking::DRIVING && state_ != Tracking::STOPPING;
+    state_ = !stops ? Tracking::DRIVING : rested ? Tracking::IDLE : Tracking::STOPPING;
     rest_ = now_ + ros::Duration(kStopping);
   }
 

@@ -219,5 +219,29 @@ TEST_F(ControlLoopTest, when_time_goes_back_it_begins_anew)
   EXPECT_TRUE(says(refusal(trajectory(kBegin - 60.0)), "before the controller started"));
 }
 
+TEST_F(ControlLoopTest, what_comes_late_does_not_end_the_drive)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  EXPECT_FALSE(measure(kBegin + 0.12));
+  const ControlStep step = measure(kBegin + 0.2, kBegin + 0.3).back();
+  EXPECT_EQ(step.output.state, TrackState::aligning);
+  EXPECT_EQ(step.trajectory, ros::Time(kBegin));
+}
+
+TEST_F(ControlLoopTest, a_trajectory_that_interrupts_another_is_not_at_rest_before_it_begins)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  measure(kBegin + 0.1, kBegin + 0.2);
+  loop_.take(trajectory(kBegin + 0.3));
+  for (const ControlStep& step : measure(kBegin + 0.3, kBegin + 1.0))
+  {
+    EXPECT_EQ(step.trajectory, ros::Time(kBegin + 0.3));
+    EXPECT_TRUE(step.output.state == TrackState::stopping || step.output.state == TrackState::aligning);
+  }
+}
+
 }  // namespace
 }  // namespace fourwis

@@ -34,5 +34,15 @@ TEST(Stamps, any_two_have_a_difference)
   EXPECT_EQ(seconds_between(ros::Time(kMost, 999999999), ros::Time(kMost, 999999999)), 0.0);
 }
 
+TEST(Stamps, of_what_is_measured_in_order_are_in_order_unless_the_clock_was_set_back)
+{
+  const ros::Time last(1000.0);
+  EXPECT_EQ(in_order(ros::Time(), last), last);
+  EXPECT_EQ(in_order(last, last + ros::Duration(0.01)), last + ros::Duration(0.01));
+  EXPECT_EQ(in_order(last, last - ros::Duration(0.01)), last + ros::Duration(0, 1));
+  EXPECT_EQ(in_order(last, last), last + ros::Duration(0, 1));
+  EXPECT_EQ(in_order(last, ros::Time(10.0)), ros::Time(10.0));
+}
+
 }  // namespace
 }  // namespace fourwis

@@ -48,7 +48,8 @@ public:
   /// Returns whether it is not refused right away.
   bool take(const fourwis_navigation::ModeTrajectory& trajectory);
 
-  /// Two messages of one stamp. Empty when it is not time for a step yet.
+  /// Two messages of one stamp. Empty when it is not time for a step yet. Begins anew when time went back by more than
+  /// kClockSetBack; what is only late is not taken.
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
                                       const fourwis_navigation::WheelStates& wheels);
 
@@ -77,7 +78,7 @@ private:
     Trajectory trajectory;
   };
 
-  void restart();
+  void restart(double back);
   void take_stop(const ros::Time& stamp);
   void take_to_drive(const fourwis_navigation::ModeTrajectory& trajectory);
   void check(const std_msgs::Header& header) const;
