@@ -6,7 +6,6 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 picture=$build/demo.svg
-log=$build/demo.log
 if [[ -n ${DISPLAY:-${WAYLAND_DISPLAY:-}} ]]; then rviz=true speed=1; else rviz=false speed=6; fi
 
 "$root/scripts/install_dependencies.sh" build exec
@@ -38,44 +37,8 @@ if command -v rsvg-convert >/dev/null; then
   echo "          ${picture%.svg}.png"
 fi
 
-# The first port on which nobody listens: not the master of a robot, nor what an earlier demo has left.
-free_port()
-{
-  local port=11411
-  while (exec 3<>"/dev/tcp/localhost/$port") 2>/dev/null; do ((++port)); done
-  echo "$port"
-}
-
-launch=
-tour=
-end()
-{
-  trap '' INT TERM
-  kill $tour $launch 2>/dev/null || true
-  wait
-}
-trap end EXIT
-trap 'exit 130' INT TERM
-
-set +u
-source "$build/devel/setup.bash"
-set -u
-port=$(free_port)
-export ROS_MASTER_URI=http://localhost:$port ROS_HOME=$build/ros_home
-roslaunch --port "$port" fourwis_navigation simulation.launch "${map[0]}:=${map[1]}" "robot:=$robot" \
-  "x:=${start[0]}" "y:=${start[1]}" "yaw:=${start[2]}" "rviz:=$rviz" "real_time_factor:=$speed" >"$log" 2>&1 &
-launch=$!
-
+stay=()
+if [[ $rviz == true ]]; then stay=(--stay); fi
 echo
-"$root/scripts/drive_tour.py" "${goals[@]}" &
-tour=$!
-# Whichever ends first; the tour's own end is a good one only when it says so, the launch's never is.
-if ! wait -n || kill -0 "$tour" 2>/dev/null; then
-  echo "The tour ended early; what the nodes say: $log" >&2
-  exit 1
-fi
-if [[ $rviz == true ]]; then
-  echo "Send it elsewhere with '2D Nav Goal'; Ctrl-C ends the demo."
-  echo "(For other terminals: export ROS_MASTER_URI=$ROS_MASTER_URI)"
-  wait "$launch"
-fi
+exec "$root/scripts/tour.sh" "${stay[@]}" "${goals[@]}" -- "$root/launch/simulation.launch" "${map[0]}:=${map[1]}" \
+  "robot:=$robot" "x:=${start[0]}" "y:=${start[1]}" "yaw:=${start[2]}" "rviz:=$rviz" "real_time_factor:=$speed"

@@ -13,12 +13,14 @@ import time
 import rosgraph
 import rospy
 from geometry_msgs.msg import PoseStamped
+from std_srvs.srv import Trigger
 
 from fourwis_navigation.msg import ModeTrajectory, PlannerStatus, Tracking, TrajectoryPoint
 
 MODES = {TrajectoryPoint.ACKERMANN: 'ackermann', TrajectoryPoint.LATERAL: 'lateral',
          TrajectoryPoint.PARALLEL: 'parallel'}
 HEADER = ('goal', 'modes', 'planned', 'driven', 'lateral mean/max', 'longitudinal', 'at the goal')
+ENABLE_ATTEMPTS = 30
 ROW = '{:<22} {:<28} {:>8} {:>8}  {:>16}  {:>13}  {:>14}'
 
 
@@ -123,6 +125,21 @@ def wait_for_controller():
         time.sleep(0.1)
 
 
+def enable_base():
+    """Waits until its drives have booted; whether it is enabled, or needs not be."""
+    if not rospy.has_param('/can_bridge'):
+        return True
+    rospy.wait_for_service('/can_bridge/enable')
+    enable = rospy.ServiceProxy('/can_bridge/enable', Trigger)
+    for _ in range(ENABLE_ATTEMPTS):
+        answer = enable()
+        if answer.success:
+            return True
+        time.sleep(1.0)
+    print(f'the base is not enabled: {answer.message}', flush=True)
+    return False
+
+
 def main(goals):
     wait_for_controller()
     rospy.init_node('drive_tour', disable_signals=True)
@@ -132,6 +149,8 @@ def main(goals):
     rospy.wait_for_message('map', rospy.AnyMsg)
     while tour.goals.get_num_connections() == 0:
         rospy.sleep(0.1)
+    if not enable_base():
+        return 1
     print(ROW.format(*HEADER), flush=True)
     return 0 if all(tour.go(goal_at(goal)) for goal in goals) else 1
 

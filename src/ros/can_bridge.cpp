@@ -124,7 +124,8 @@ void CanBridge::publish(const BridgeUpdate& update)
 std::string CanBridge::enable()
 {
   const std::string refusal = ask_to_enable();
-  if (!refusal.empty()) return refusal;
+  const can::BridgeReport before = monitor_.newest().report;
+  if (!refusal.empty()) return before.stage == BridgeStage::fault ? refusal + " (" + explanation(before) + ")" : refusal;
   const double patience = options_.enable_timeout + (options_.homing ? options_.homing_timeout : 0.0) + kReserve;
   monitor_.wait_for([](const BridgeUpdate& update) { return !is_enabling(update.report.stage); }, patience);
   return explanation(monitor_.newest().report);

@@ -227,7 +227,7 @@ TEST_F(CanBridgeNode, a_fault_has_its_name_in_the_diagnostics_and_needs_to_be_cl
     return false;
   };
   EXPECT_TRUE(diagnostics_.wait_for(named));
-  EXPECT_EQ(call("enable").message, "in fault: clear the faults first");
+  EXPECT_EQ(call("enable").message, "in fault: clear the faults first (" + expected + ")");
   ASSERT_TRUE(wait_until([this] { return call("clear_faults").success; }));
   drive();
 }
