@@ -202,6 +202,25 @@ TEST_F(Execution, a_goal_refused_for_its_form_does_not_disturb_the_drive)
   EXPECT_EQ(sent(), "T");
 }
 
+TEST_F(Execution, what_services_answer_is_no_part_of_what_is_said_about_the_drive)
+{
+  const Pose into_the_wall{0, 5, 0};
+  drive_towards(kEast);
+  nav_msgs::GetPlan call;
+  for (const std::string& frame : {"map", "moon"})
+  {
+    call.request.goal = stamped(into_the_wall, frame);
+    ASSERT_TRUE(ros::service::call("/move_base/make_plan", call));
+    EXPECT_TRUE(call.response.plan.poses.empty());
+    EXPECT_FALSE(plan(stamped({}, ""), call.request.goal).success);
+  }
+  controller->release();
+  expect_end("SUCCEEDED");
+  ASSERT_TRUE(wait_for_status("arrived", kEast));
+  EXPECT_EQ(story(kEast), "planning succeeded driving arrived");
+  EXPECT_EQ(story(into_the_wall), "");
+}
+
 TEST_F(Execution, cancel_stops_the_robot_at_once)
 {
   drive_towards(kEast);
