@@ -34,11 +34,11 @@ std::string complaint(const std::vector<Pose>& knots, const std::vector<double>&
   return {};
 }
 
-std::string collision_sentence(std::size_t interval, double offset, const Pose& from, const Pose& to)
+std::string collision_sentence(std::size_t interval, const Point2& centre, const Pose& from, const Pose& to)
 {
-  return sentence("between knots %zu and %zu the centre of the disc at x = %.6g m on the body meets an obstacle or the "
+  return sentence("between knots %zu and %zu the centre of the disc at (%.6g, %.6g) m on the body meets an obstacle or the "
                   "map's border: it goes from (%.6g, %.6g) to (%.6g, %.6g)",
-                  interval, interval + 1, offset, from.x, from.y, to.x, to.y);
+                  interval, interval + 1, centre.x, centre.y, from.x, from.y, to.x, to.y);
 }
 
 }  // namespace
@@ -52,19 +52,19 @@ PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const Di
   if (!wrong.empty()) return refusal<Corridor>(CorridorStatus::invalid_input, wrong);
 
   PolytopeCorridor corridor;
-  for (double offset : discs.offsets) corridor.regions.push_back({offset, {}});
+  for (const Point2& centre : discs.centres) corridor.regions.push_back({centre, {}});
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
   {
     const double keep = discs.radius + (shrink.empty() ? 0.0 : shrink[i]);
     double deficit = 0.0;
     for (DiscRegions& disc : corridor.regions)
     {
-      const Pose centre{disc.offset, 0.0, 0.0};
+      const Pose centre{disc.centre.x, disc.centre.y, 0.0};
       const Pose from = compose(knots[i], centre), to = compose(knots[i + 1], centre);
       const Chord chord(obstacles.to_grid(from.x, from.y), obstacles.to_grid(to.x, to.y));
       ChordRegion region = chord_region(obstacles, chord, keep, options);
       if (region.planes.empty())
-        return refusal<Corridor>(CorridorStatus::in_collision, collision_sentence(i, disc.offset, from, to));
+        return refusal<Corridor>(CorridorStatus::in_collision, collision_sentence(i, disc.centre, from, to));
       for (HalfPlane& plane : region.planes) plane = obstacles.to_map(plane);
       disc.regions.push_back(std::move(region.planes));
       deficit = std::max(deficit, region.deficit);

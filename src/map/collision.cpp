@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
 
@@ -18,14 +19,39 @@ constexpr double kFarClearance = 1.0;
 }  // namespace
 
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
-  : map_(map), robot_(robot), discs_(two_discs(robot)), stride_(std::max(kLeastStride, robot.safety_margin))
+  : map_(map), robot_(robot), discs_(two_discs(robot)), needed_(discs_),
+    stride_(std::max(kLeastStride, robot.safety_margin)), reach_(discs_.offset)
 {
+}
+
+CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, double margin)
+  : CollisionChecker(map, robot)
+{
+  needed_ = inscribed_discs(robot, margin);
+  snug_ = snug_cover(robot);
+  snug_->radius += margin;
+  stride_ = std::max(kLeastStride, margin);
+  reach_ = std::max(reach_, snug_->reach());
 }
 
 bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
 {
   const double ox = discs_.offset * cosine, oy = discs_.offset * sine;
-  return map_.is_clear(x + ox, y + oy, discs_.radius, clearance) && map_.is_clear(x - ox, y - oy, discs_.radius, clearance);
+  double left = clearance;
+  if (map_.is_clear(x + ox, y + oy, discs_.radius, left) && map_.is_clear(x - ox, y - oy, discs_.radius, left))
+  {
+    clearance = left;
+    return true;
+  }
+  return snug_ && is_snug_free(x, y, cosine, sine, clearance);
+}
+
+bool CollisionChecker::is_snug_free(double x, double y, double cosine, double sine, double& clearance) const
+{
+  return std::all_of(snug_->centres.begin(), snug_->centres.end(), [&](const Point2& centre) {
+    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, snug_->radius,
+                         clearance);
+  });
 }
 
 bool CollisionChecker::is_free(const Pose& pose) const
@@ -34,12 +60,18 @@ bool CollisionChecker::is_free(const Pose& pose) const
   return is_free(pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta), clearance);
 }
 
+double CollisionChecker::clearance(const Pose& pose) const
+{
+  const double two = fourwis::clearance(map_, {{{discs_.offset, 0.0}, {-discs_.offset, 0.0}}, discs_.radius}, pose);
+  return snug_ ? std::max(two, fourwis::clearance(map_, *snug_, pose)) : two;
+}
+
 double CollisionChecker::free_length(const PathPiece& piece) const
 {
   const double total = std::abs(piece.length), direction = piece.length < 0.0 ? -1.0 : 1.0;
   const Arc arc(robot_, piece.start, piece.mode, piece.phi);
   // A disc centre moves at most this much for each metre that C does.
-  const double stretch = 1.0 + std::abs(arc.curvature()) * discs_.offset;
+  const double stretch = 1.0 + std::abs(arc.curvature()) * reach_;
   double free = 0.0;
   for (double s = 0.0;;)
   {
@@ -50,6 +82,17 @@ double CollisionChecker::free_length(const PathPiece& piece) const
     if (s >= total) return total;
     s = std::min(total, s + std::max(stride_, clearance) / stretch);
   }
+}
+
+double clearance(const ObstacleMap& map, const DiscCover& discs, const Pose& pose)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point2& centre : discs.centres)
+  {
+    const Pose place = compose(pose, {centre.x, centre.y, 0.0});
+    least = std::min(least, map.distance(place.x, place.y) - discs.radius);
+  }
+  return least;
 }
 
 }  // namespace fourwis

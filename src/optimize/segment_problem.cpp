@@ -32,11 +32,11 @@ void add_symmetric(SegmentModel::Derivatives& d, int i, int j, double value)
   d.hessian(j, i) += value;
 }
 
-void add_rows(const Polytope& region, double offset, int knot, double weight, SegmentModel& model, Problem& problem)
+void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentModel& model, Problem& problem)
 {
   for (const HalfPlane& plane : region)
   {
-    model.disc_rows.push_back({plane, offset});
+    model.disc_rows.push_back({plane, centre});
     problem.add_row(knot, {plane.c, weight});
   }
 }
@@ -56,7 +56,7 @@ void set_rows(const Segment& segment, const Corridor& corridor, double weight, S
     if (k == 0) continue;
     for (std::size_t interval : {k - 1, k})
       for (const DiscRegions& disc : corridor)
-        add_rows(disc.regions[interval], disc.offset, static_cast<int>(k), weight, model, problem);
+        add_rows(disc.regions[interval], disc.centre, static_cast<int>(k), weight, model, problem);
   }
 }
 
@@ -149,7 +149,10 @@ void SegmentModel::rows(int k, const RowPoint& q, ocp::RowValues values) const
   wheel_rates.evaluate(q, values.data());
   values[WheelRateRows::kRows] = way_of(q) * way_of(q) / (reach * reach) - 1.0;
   for (Eigen::Index i = kWideRows; i < values.size(); ++i, ++row)
-    values[i] = row->plane.a * (q[0] + row->offset * c) + row->plane.b * (q[1] + row->offset * s);
+  {
+    const auto& [ox, oy] = row->centre;
+    values[i] = row->plane.a * (q[0] + ox * c - oy * s) + row->plane.b * (q[1] + ox * s + oy * c);
+  }
 }
 
 void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
@@ -161,9 +164,10 @@ void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipli
   differentiate_way(q, y[WheelRateRows::kRows], gradients, hessian);
   for (Eigen::Index i = kWideRows; i < y.size(); ++i, ++row)
   {
-    const double a = row->plane.a, b = row->plane.b, o = row->offset;
-    gradients.col(i).head<3>() << a, b, o * (b * c - a * s);
-    hessian(2, 2) -= y[i] * o * (a * c + b * s);
+    const double a = row->plane.a, b = row->plane.b;
+    const double ox = row->centre.x * c - row->centre.y * s, oy = row->centre.x * s + row->centre.y * c;
+    gradients.col(i).head<3>() << a, b, b * ox - a * oy;
+    hessian(2, 2) -= y[i] * (a * ox + b * oy);
   }
 }
 

@@ -18,11 +18,11 @@
 namespace fourwis
 {
 
-/// A disc centre has to stay in a half-plane: a (x + o cos theta) + b (y + o sin theta) <= c.
+/// A disc centre has to stay in a half-plane: (a, b) (p + R(theta) o) <= c.
 struct DiscRow
 {
   HalfPlane plane;
-  double offset;  ///< o [m]
+  Point2 centre;  ///< o, on the body [m]
 };
 
 /// The functions of a segment's problem, x = (x, y, theta, v, phi), u = (a, omega, h).

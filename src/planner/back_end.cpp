@@ -120,7 +120,7 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
                   const OptimizeOptions& options, double reference_speed, const Path& path,
                   const Interrupt& interrupt)
 {
-  const SegmentRefiner refiner(checker.map(), obstacles, robot, options, reference_speed, interrupt);
+  const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
   const std::vector<Path> paths = parts_between_switches(path);
   std::vector<std::vector<Segment>> segments;  // at the wanted spacing, at half of it, ...
   for (int halving = 0; halving <= kHalvings; ++halving)
@@ -146,7 +146,7 @@ Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obs
 void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
             const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement)
 {
-  const SegmentRefiner refiner(checker.map(), obstacles, robot, options, reference_speed, interrupt);
+  const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
   Refinement before = refinement;
   in_parallel(refinement.parts.size(), [&](std::size_t i) {
     RefinedPart& part = refinement.parts[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fourwis_navigation/optimize/simpson.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
@@ -42,34 +43,46 @@ double rollout_miss(const SimpsonDynamics& dynamics, const TrajectoryPoint& from
 }
 
 /// Greatest speed of a disc centre within an interval, whose v and phi are greatest at an end [m/s].
-double greatest_disc_speed(const Robot& robot, const DiscCover& discs, const TrajectoryPoint& from, const TrajectoryPoint& to)
+double greatest_disc_speed(const Robot& robot, const std::vector<DiscCover>& covers, const TrajectoryPoint& from,
+                           const TrajectoryPoint& to)
 {
+  double reach = 0.0;
+  for (const DiscCover& discs : covers) reach = std::max(reach, discs.reach());
   const double kappa = std::max(std::abs(curvature(robot, from.mode, from.phi)), std::abs(curvature(robot, from.mode, to.phi)));
-  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * discs.offsets.front());
+  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * reach);
 }
 
 /// Least distance of the discs at a pose to obstacles, as far as it matters [m].
-double clearance_at(const ObstacleMap& map, const DiscCover& discs, double radius, const State& x)
+double clearance_at(const ObstacleMap& map, const DiscCover& discs, const State& x)
 {
   const double c = std::cos(x[2]), s = std::sin(x[2]);
   double clearance = 10.0 * kFar;
-  for (double offset : discs.offsets)
+  for (const Point2& centre : discs.centres)
   {
-    const double cx = x[0] + offset * c, cy = x[1] + offset * s;
-    if (!map.is_clear(cx, cy, radius, clearance)) clearance = std::min(clearance, map.distance(cx, cy) - radius);
+    const double cx = x[0] + centre.x * c - centre.y * s, cy = x[1] + centre.x * s + centre.y * c;
+    if (!map.is_clear(cx, cy, discs.radius, clearance)) clearance = std::min(clearance, map.distance(cx, cy) - discs.radius);
   }
   return clearance;
 }
 
-double least_clearance(const ObstacleMap& map, const DiscCover& discs, const Robot& robot,
+/// The same of the cover that is clearest; the first will do where it is clear.
+double clearance_at(const ObstacleMap& map, const std::vector<DiscCover>& covers, const State& x)
+{
+  double clearance = -std::numeric_limits<double>::infinity();
+  for (const DiscCover& discs : covers)
+    if (clearance < kLeastStep) clearance = std::max(clearance, clearance_at(map, discs, x));
+  return clearance;
+}
+
+double least_clearance(const ObstacleMap& map, const std::vector<DiscCover>& covers, const Robot& robot,
                        const SimpsonDynamics& dynamics, const TrajectoryPoint& from, const TrajectoryPoint& to)
 {
-  const double radius = discs.radius - robot.safety_margin, duration = to.t - from.t;
-  const double speed = std::max(greatest_disc_speed(robot, discs, from, to), 1e-6);
+  const double duration = to.t - from.t;
+  const double speed = std::max(greatest_disc_speed(robot, covers, from, to), 1e-6);
   double least = kFar;
   for (double t = 0.0;;)
   {
-    const double clearance = clearance_at(map, discs, radius, after(dynamics, from, t));
+    const double clearance = clearance_at(map, covers, after(dynamics, from, t));
     least = std::min(least, clearance);
     if (t >= duration) return least;
     t = std::min(duration, t + std::max(clearance, kLeastStep) / speed);
@@ -78,14 +91,15 @@ double least_clearance(const ObstacleMap& map, const DiscCover& discs, const Rob
 
 }  // namespace
 
-Certificate certify(const ObstacleMap& map, const DiscCover& discs, const Robot& robot, const Trajectory& points)
+Certificate certify(const ObstacleMap& map, const std::vector<DiscCover>& covers, const Robot& robot,
+                    const Trajectory& points)
 {
   Certificate certificate;
   if (points.empty()) return certificate;
   const SimpsonDynamics dynamics(robot, points.front().mode);
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
-    certificate.clearance.push_back(least_clearance(map, discs, robot, dynamics, points[k], points[k + 1]));
+    certificate.clearance.push_back(least_clearance(map, covers, robot, dynamics, points[k], points[k + 1]));
     certificate.worst_rollout = std::max(certificate.worst_rollout, rollout_miss(dynamics, points[k], points[k + 1]));
   }
   return certificate;

@@ -10,15 +10,6 @@ namespace fourwis
 namespace
 {
 
-/// Least clearance of the two disc centres, less the discs' radius [m]; negative in collision.
-double disc_clearance(const CollisionChecker& checker, const Pose& pose)
-{
-  const TwoDiscs& discs = checker.discs();
-  const Pose front = compose(pose, {discs.offset, 0.0, 0.0}), rear = compose(pose, {-discs.offset, 0.0, 0.0});
-  const ObstacleMap& map = checker.map();
-  return std::min(map.distance(front.x, front.y), map.distance(rear.x, rear.y)) - discs.radius;
-}
-
 std::string collision_sentence(const char* what, const Pose& pose, double clearance)
 {
   return sentence("%s (%.3f, %.3f, %.3f) is in collision: the covering discs are %.3f m too close to an obstacle", what,
@@ -42,10 +33,10 @@ PlanResult refuse(const CollisionChecker& checker, const PlanRequest& request)
   if (request.modes.empty()) return refusal(PlanStatus::invalid_input, "no motion mode is allowed");
   if (!checker.is_free(request.start))
     return refusal(PlanStatus::start_in_collision,
-                   collision_sentence("the start", request.start, disc_clearance(checker, request.start)));
+                   collision_sentence("the start", request.start, checker.clearance(request.start)));
   if (!checker.is_free(request.goal))
     return refusal(PlanStatus::goal_in_collision,
-                   collision_sentence("the goal", request.goal, disc_clearance(checker, request.goal)));
+                   collision_sentence("the goal", request.goal, checker.clearance(request.goal)));
   return refusal(PlanStatus::succeeded, "");
 }
 

@@ -21,6 +21,8 @@ namespace fourwis
 namespace
 {
 
+/// So that a pose has the margin that was measured at it [m].
+constexpr double kRounding = 1e-6;
 /// Polishing makes trajectories faster by up to about this factor.
 constexpr double kWorthPolishing = 1.01;
 
@@ -32,7 +34,8 @@ struct Task
   const PlanRequest& request;
   const Interrupt& interrupt;
   PlanTrace* trace;
-  CollisionChecker checker{world.obstacles, world.robot};
+  CollisionChecker checker;
+  Effort effort = Effort::thorough;
 
   double speed() const { return options.search.reference_speed; }
 };
@@ -65,8 +68,9 @@ Candidates find(const Task& task, PlanResult& result)
   std::vector<Pose>* expanded = task.trace ? &task.trace->expanded : nullptr;
   const FrontEnd front_end(task.checker, task.world.robot, request.start, request.goal, task.interrupt);
   Candidates found = request.frontend_only || is_paper(task.options)
-                         ? find_one(front_end, task.options.search, request.modes, task.interrupt, expanded)
-                         : find_several(front_end, task.world.robot, task.options.search, request.modes,
+                         ? find_one(front_end, task.options.search, request.modes, task.effort, task.interrupt,
+                                    expanded)
+                         : find_several(front_end, task.world.robot, task.options.search, request.modes, task.effort,
                                         task.interrupt, expanded);
   result.metrics.expansions = found.expansions;
   result.metrics.frontend_ms = ms_since(begin);
@@ -170,6 +174,26 @@ void refine_as_paper(const Task& task, const Path& path, PlanResult& result)
     judge(task.world, task.request, {std::move(refinement.trajectory)}, result);
 }
 
+/// The checker that lets the robot out of places where it has come closer to obstacles than its two discs may.
+CollisionChecker close_checker(const World& world, const PlanRequest& request)
+{
+  const DiscCover snug = snug_cover(world.robot);
+  const double left = std::min(clearance(world.obstacles, snug, request.start), clearance(world.obstacles, snug, request.goal));
+  return {world.obstacles, world.robot, std::clamp(left - kRounding, 0.0, world.robot.safety_margin)};
+}
+
+bool is_in_collision(PlanStatus status)
+{
+  return status == PlanStatus::start_in_collision || status == PlanStatus::goal_in_collision;
+}
+
+/// Whether the two discs may be what is in the way.
+bool is_too_tight(const PlanResult& result)
+{
+  return is_in_collision(result.status) || result.status == PlanStatus::goal_unreachable ||
+         result.status == PlanStatus::no_path;
+}
+
 PlanResult find_and_refine(const Task& task)
 {
   PlanResult result;
@@ -179,6 +203,16 @@ PlanResult find_and_refine(const Task& task)
     refine_as_paper(task, found.paths.front(), result);
   else
     refine_and_choose(task, found.paths, result);
+  return result;
+}
+
+PlanResult try_to_plan(const Task& task)
+{
+  const PlanRequest& request = task.request;
+  PlanResult result = refuse(task.checker, request);
+  if (result.status != PlanStatus::succeeded) return result;
+  if (!same_pose(request.start, request.goal)) return find_and_refine(task);
+  judge(task.world, request, {stay_at(request.start, request.modes)}, result);
   return result;
 }
 
@@ -237,14 +271,13 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
 {
   const PlanClock::time_point begin = PlanClock::now();
   const Interrupt watch = interrupt.or_after(options_.planner_patience);
-  const Task task{world, options_, request, watch, trace};
-  PlanResult result = refuse(task.checker, request);
-  if (result.status == PlanStatus::succeeded)
+  PlanResult result = try_to_plan({world, options_, request, watch, trace, {world.obstacles, world.robot}});
+  if (is_too_tight(result) && !is_paper(options_))
   {
-    if (same_pose(request.start, request.goal))
-      judge(world, request, {stay_at(request.start, request.modes)}, result);
-    else
-      result = find_and_refine(task);
+    const Effort effort = is_in_collision(result.status) ? Effort::thorough : Effort::quick;
+    PlanResult close = try_to_plan({world, options_, request, watch, trace, close_checker(world, request), effort});
+    close.metrics.frontend_ms += result.metrics.frontend_ms;
+    if (close.status == PlanStatus::succeeded || is_in_collision(result.status)) result = std::move(close);
   }
   result.metrics.map_ms = world.build_ms;
   result.metrics.frontend_ms += world.build_ms;

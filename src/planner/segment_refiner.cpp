@@ -35,10 +35,11 @@ bool turns_back(const Segment& segment, std::size_t knot)
 }
 
 /// Whether a disc that moves from one pose to the other comes nearer to the half plane's edge than `reach`.
-bool comes_near(const HalfPlane& plane, double offset, const TrajectoryPoint& from, const TrajectoryPoint& to, double reach)
+bool comes_near(const HalfPlane& plane, const Point2& centre, const TrajectoryPoint& from, const TrajectoryPoint& to, double reach)
 {
   const auto gap = [&](const TrajectoryPoint& p) {
-    return plane.c - plane.a * (p.x + offset * std::cos(p.theta)) - plane.b * (p.y + offset * std::sin(p.theta));
+    const Pose place = compose(p.pose(), {centre.x, centre.y, 0.0});
+    return plane.c - plane.a * place.x - plane.b * place.y;
   };
   return std::min(gap(from), gap(to)) < reach;
 }
@@ -53,10 +54,17 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
     {
       Polytope& region = disc.regions[k];
       const auto is_far = [&](const HalfPlane& plane)
-      { return !comes_near(plane, disc.offset, points[k], points[k + 1], reach); };
+      { return !comes_near(plane, disc.centre, points[k], points[k + 1], reach); };
       region.erase(std::remove_if(region.begin(), region.end(), is_far), region.end());
     }
   return near;
+}
+
+std::vector<DiscCover> covers_with(const DiscCover& discs, const CollisionChecker& checker, const Robot& robot)
+{
+  std::vector<DiscCover> covers = {without_margin(discs, robot)};
+  if (checker.snug()) covers.push_back(snug_cover(robot));
+  return covers;
 }
 
 }  // namespace
@@ -88,10 +96,11 @@ struct SegmentRefiner::Attempt
   std::vector<char> pinned;    ///< where the robot is to stop
 };
 
-SegmentRefiner::SegmentRefiner(const ObstacleMap& map, const ObstacleRectangles& obstacles, const Robot& robot,
+SegmentRefiner::SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                                const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
-  : map_(map), obstacles_(obstacles), robot_(robot), options_(options), interrupt_(interrupt),
+  : map_(checker.map()), obstacles_(obstacles), robot_(robot), options_(options), interrupt_(interrupt),
     discs_(disc_cover(robot, options.corridor_discs)), fine_discs_(disc_cover(robot, options.polish_discs)),
+    covers_(covers_with(discs_, checker, robot)), fine_covers_(covers_with(fine_discs_, checker, robot)),
     structured_(robot, options, reference_speed), ipopt_(robot, options, reference_speed)
 {
 }
@@ -134,7 +143,7 @@ bool SegmentRefiner::polish(std::vector<RefinementRound>& rounds, int& solver_it
                                    &halved.points, {}, kFineTolerance);
   solver_iterations += solution.iterations;
   if (!solution.solved || solution.points.back().t >= rounds.back().points.back().t) return false;
-  const Certificate certificate = certify(map_, fine_discs_, robot_, solution.points);
+  const Certificate certificate = certify(map_, fine_covers_, robot_, solution.points);
   if (certificate.worst_rollout > kMostRolloutMiss || certificate.least_clearance() < kLeastClearance) return false;
   rounds.push_back({std::move(regions.regions), std::move(solution.points)});
   return true;
@@ -161,7 +170,7 @@ SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& 
 bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) const
 {
   const Trajectory& points = result.points();
-  const Certificate certificate = certify(map_, discs_, robot_, points);
+  const Certificate certificate = certify(map_, covers_, robot_, points);
   result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
   result.solved = true;
   for (std::size_t k = 0; k < attempt.shrink.size(); ++k)

@@ -28,12 +28,12 @@ struct RefinedSegment
   const Trajectory& points() const { return rounds.back().points; }
 };
 
-/// corridor <-> optimisation for one segment after the other. May be used from several threads.
+/// corridor <-> optimisation for one segment after the other, free of collisions as the checker's paths are. May be used from several threads.
 class SegmentRefiner
 {
 public:
   /// Keeps references to all of them.
-  SegmentRefiner(const ObstacleMap& map, const ObstacleRectangles& obstacles, const Robot& robot,
+  SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                  const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt);
 
   /// Rounds of corridor and optimisation until the certificate holds.
@@ -57,6 +57,7 @@ private:
   const OptimizeOptions& options_;
   const Interrupt& interrupt_;
   const DiscCover discs_, fine_discs_;
+  const std::vector<DiscCover> covers_, fine_covers_;  ///< what shows that a motion is free of collisions
   const SegmentOptimizer structured_;
   const IpoptSegmentOptimizer ipopt_;
 };

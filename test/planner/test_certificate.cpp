@@ -20,10 +20,10 @@ double sampled_clearance(const ObstacleMap& map, const DiscCover& discs, const R
   for (int k = 0; k <= 4000; ++k)
   {
     const Pose pose = advance(robot, piece.start, piece.mode, piece.phi, piece.length * k / 4000);
-    for (double offset : discs.offsets)
+    for (const Point2& on_body : discs.centres)
     {
-      const Pose centre = compose(pose, {offset, 0.0, 0.0});
-      least = std::min(least, map.distance(centre.x, centre.y) - (discs.radius - robot.safety_margin));
+      const Pose centre = compose(pose, {on_body.x, on_body.y, 0.0});
+      least = std::min(least, map.distance(centre.x, centre.y) - discs.radius);
     }
   }
   return least;
@@ -38,11 +38,11 @@ TEST(Certificate, FindsTheLeastClearanceOfRandomMotions)
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
     const OccupancyGrid grid = clutter(random, 6.0, 0.05, 6);
     const ObstacleMap map(grid);
-    const DiscCover discs = disc_cover(robot, random.whole(1, 6));
+    const DiscCover discs = without_margin(disc_cover(robot, random.whole(1, 6), random.whole(1, 3)), robot);
     const Mode mode = random.mode();
     const PathPiece piece = {mode, {3.0, 3.0, random.angle()}, random.steering(robot, mode), random.between(-1.0, 1.0)};
     const Path path = {{piece}, advance(robot, piece.start, mode, piece.phi, piece.length), 0.0};
-    const Certificate certificate = certify(map, discs, robot, stop_and_steer(path, robot, 1.0));
+    const Certificate certificate = certify(map, {discs}, robot, stop_and_steer(path, robot, 1.0));
     const double found = certificate.least_clearance();
     const double sampled = sampled_clearance(map, discs, robot, piece);
     EXPECT_LE(found, sampled + 0.0015);
@@ -57,12 +57,12 @@ TEST(Certificate, NoticesAPointThatTheMotionMisses)
 {
   const Robot robot;
   const ObstacleMap map(free_area(6.0, 6.0, 0.1));
-  const DiscCover discs = disc_cover(robot, 2);
+  const DiscCover discs = without_margin(disc_cover(robot, 2), robot);
   const Path path = {{{Mode::ackermann, {2.0, 3.0, 0.0}, 0.2, 1.0}}, {}, 0.0};
   Trajectory points = stop_and_steer(path, robot, 1.0);
-  EXPECT_LT(certify(map, discs, robot, points).worst_rollout, 1e-6);
+  EXPECT_LT(certify(map, {discs}, robot, points).worst_rollout, 1e-6);
   points[points.size() / 2].y += 0.007;
-  EXPECT_NEAR(certify(map, discs, robot, points).worst_rollout, 0.007, 1e-5);
+  EXPECT_NEAR(certify(map, {discs}, robot, points).worst_rollout, 0.007, 1e-5);
 }
 
 }  // namespace

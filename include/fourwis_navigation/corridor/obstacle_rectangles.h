@@ -6,16 +6,11 @@
 
 #include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/corridor.h"
+#include "fourwis_navigation/model/point.h"
 #include "fourwis_navigation/model/pose.h"
 
 namespace fourwis
 {
-
-/// A point of the plane [m].
-struct Point2
-{
-  double x, y;
-};
 
 /// The obstacles of a map as few rectangles, so that what lies near a place is found quickly.
 ///

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/robot.h"
@@ -8,15 +10,22 @@
 namespace fourwis
 {
 
-/// Is a pose or a motion of the robot free of collisions? Two-disc model, paper eq. (10), on the exact distance.
+/// Is a pose or a motion of the robot free of collisions? Two-disc model, paper eq. (10), on the exact distance; for places
+/// where two discs do not fit, many small ones in their place.
 class CollisionChecker
 {
 public:
   /// Keeps references: both must outlive the checker.
   CollisionChecker(const ObstacleMap& map, const Robot& robot);
 
-  /// Whether both disc centres are at least r_c away from every obstacle.
+  /// The same, but free is as well where all discs of the snug cover are `margin` [m] away from every obstacle.
+  CollisionChecker(const ObstacleMap& map, const Robot& robot, double margin);
+
+  /// Whether both disc centres are at least r_c away from every obstacle, or the snug cover is clear.
   bool is_free(const Pose& pose) const;
+
+  /// By how much the discs are farther from obstacles than they have to be [m]; negative at a pose that is not free.
+  double clearance(const Pose& pose) const;
 
   /// How much of a piece can be driven [m], in 0..|length|: along it, checked poses are free and lie so close together
   /// that no disc centre moves more than half of `stride()` between a pose in between and a checked one. With a safety
@@ -27,15 +36,26 @@ public:
 
   double stride() const { return stride_; }
   const ObstacleMap& map() const { return map_; }
-  const TwoDiscs& discs() const { return discs_; }
+
+  /// Two discs whose centres keep `radius` at every pose found free.
+  const TwoDiscs& discs() const { return needed_; }
+
+  /// Where there is one; its radius includes the margin.
+  const std::optional<DiscCover>& snug() const { return snug_; }
 
 private:
   bool is_free(double x, double y, double cosine, double sine, double& clearance) const;
+  bool is_snug_free(double x, double y, double cosine, double sine, double& clearance) const;
 
   const ObstacleMap& map_;
   const Robot& robot_;
-  TwoDiscs discs_;
+  TwoDiscs discs_, needed_;
+  std::optional<DiscCover> snug_;
   double stride_;
+  double reach_;  ///< of the disc centre farthest from C [m]
 };
+
+/// Least distance of the discs to obstacles at a pose [m]; negative in collision.
+double clearance(const ObstacleMap& map, const DiscCover& discs, const Pose& pose);
 
 }  // namespace fourwis

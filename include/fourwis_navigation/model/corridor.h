@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "fourwis_navigation/model/point.h"
+
 namespace fourwis
 {
 
@@ -23,7 +25,7 @@ struct Box
 /// Where the centre of one of the discs that cover the body may be.
 struct DiscRegions
 {
-  double offset;                  ///< of the centre, along the body's x axis [m]
+  Point2 centre;                  ///< of the disc, on the body [m]
   std::vector<Polytope> regions;  ///< one per interval of a segment
 };
 

@@ -14,8 +14,8 @@ namespace fourwis
 /// What is between the knots of an optimised segment, interval by interval.
 struct Certificate
 {
-  std::vector<double> clearance;  ///< least distance of the discs (without safety margin) to obstacles [m]; negative in
-                                  ///< collision. Distances beyond some centimetres are not looked at closely
+  std::vector<double> clearance;  ///< least distance of the discs to obstacles [m]; negative in collision. Distances
+                                  ///< beyond some centimetres are not looked at closely
   double worst_rollout = 0.0;     ///< greatest miss of the next point by the exact motion [m]
 
   double least_clearance() const
@@ -25,7 +25,8 @@ struct Certificate
 };
 
 /// Follows the motion between the points of one mode closely enough that no disc centre can come nearer to an obstacle, between
-/// two poses looked at, by more than half a millimetre.
-Certificate certify(const ObstacleMap& map, const DiscCover& discs, const Robot& robot, const Trajectory& points);
+/// two poses looked at, by more than half a millimetre. Any of the covers (without safety margin) may show a pose to be clear.
+Certificate certify(const ObstacleMap& map, const std::vector<DiscCover>& covers, const Robot& robot,
+                    const Trajectory& points);
 
 }  // namespace fourwis

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "fourwis_navigation/model/point.h"
 #include "fourwis_navigation/model/robot.h"
 
 namespace fourwis
@@ -21,20 +23,47 @@ inline TwoDiscs two_discs(const Robot& robot)
   return {offset, std::hypot(offset, robot.width / 2.0) + robot.safety_margin};
 }
 
-/// Equal discs that cover the body, with their centres on its x axis.
+/// Two discs within the body, as far apart as they get and as wide as it is: wherever the body fits with `margin` to
+/// spare [m], their centres keep `radius`.
+inline TwoDiscs inscribed_discs(const Robot& robot, double margin)
+{
+  return {std::max(0.0, robot.length - robot.width) / 2.0, std::min(robot.length, robot.width) / 2.0 + margin};
+}
+
+/// Equal discs that cover the body.
 struct DiscCover
 {
-  std::vector<double> offsets;  ///< of the centres, from front to rear [m]
+  std::vector<Point2> centres;  ///< on the body, from front to rear [m]
   double radius;                ///< safety margin included [m]
+
+  /// Of the centre farthest from C [m].
+  double reach() const { return centres.empty() ? 0.0 : std::hypot(centres.front().x, centres.front().y); }
 };
 
-/// `count` discs, each over an equal part of the length. Two are the paper's; more of them stick out less.
-inline DiscCover disc_cover(const Robot& robot, int count)
+/// Discs over the cells of a grid on the body, so many along it and across it. Two along and one across are the paper's; more
+/// in a row stick out less to the sides but more to front and rear, several rows less everywhere.
+inline DiscCover disc_cover(const Robot& robot, int along, int across = 1)
 {
-  const double part = robot.length / count;
-  DiscCover cover{{}, std::hypot(part, robot.width) / 2.0 + robot.safety_margin};
-  for (int i = 0; i < count; ++i) cover.offsets.push_back((robot.length - part) / 2.0 - i * part);
+  const double length = robot.length / along, width = robot.width / across;
+  DiscCover cover{{}, std::hypot(length, width) / 2.0 + robot.safety_margin};
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < across; ++j)
+      cover.centres.push_back({(robot.length - length) / 2.0 - i * length, (robot.width - width) / 2.0 - j * width});
   return cover;
+}
+
+inline DiscCover without_margin(DiscCover cover, const Robot& robot)
+{
+  cover.radius -= robot.safety_margin;
+  return cover;
+}
+
+/// Many small discs, without safety margin: they stick out by no more than a fifth of their cells' size.
+inline DiscCover snug_cover(const Robot& robot)
+{
+  constexpr double kCell = 0.125;  // [m]
+  const auto cells = [](double side) { return static_cast<int>(std::ceil(side / kCell)); };
+  return without_margin(disc_cover(robot, cells(robot.length), cells(robot.width)), robot);
 }
 
 }  // namespace fourwis
