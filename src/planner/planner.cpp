@@ -206,6 +206,18 @@ PlanResult find_and_refine(const Task& task)
   return result;
 }
 
+/// Of a try with two discs that failed, and a closer one.
+PlanResult better(PlanResult first, PlanResult close)
+{
+  const double frontend_ms = first.metrics.frontend_ms + close.metrics.frontend_ms;
+  const int expansions = first.metrics.expansions + close.metrics.expansions;
+  const bool first_says_why = close.status != PlanStatus::succeeded && close.status != PlanStatus::cancelled;
+  PlanResult result = std::move(first_says_why && !is_in_collision(first.status) ? first : close);
+  result.metrics.frontend_ms = frontend_ms;
+  result.metrics.expansions = expansions;
+  return result;
+}
+
 PlanResult try_to_plan(const Task& task)
 {
   const PlanRequest& request = task.request;
@@ -275,9 +287,8 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
   if (is_too_tight(result) && !is_paper(options_))
   {
     const Effort effort = is_in_collision(result.status) ? Effort::thorough : Effort::quick;
-    PlanResult close = try_to_plan({world, options_, request, watch, trace, close_checker(world, request), effort});
-    close.metrics.frontend_ms += result.metrics.frontend_ms;
-    if (close.status == PlanStatus::succeeded || is_in_collision(result.status)) result = std::move(close);
+    result = better(std::move(result),
+                    try_to_plan({world, options_, request, watch, trace, close_checker(world, request), effort}));
   }
   result.metrics.map_ms = world.build_ms;
   result.metrics.frontend_ms += world.build_ms;

@@ -281,8 +281,8 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
   const OccupancyGrid grid{40, 20, 0.1, {3.0, -1.0, 0.0}, std::vector<std::int8_t>(800, 0)};
   const Pose pose{5.0, 0.0, 0.0};
   const std::vector<Corridor> corridors = {
-    {{0.25, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}}, {-0.25, {region(3.5, 0, 4, 0.25)}}},
-    {{0.25, {region(6, 0, 6.5, 0.5)}}}};
+    {{{0.25, 0.0}, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}}, {{-0.25, 0.0}, {region(3.5, 0, 4, 0.25)}}},
+    {{{0.25, 0.0}, {region(6, 0, 6.5, 0.5)}}}};
   const std::string svg = drawn(grid, plan_in_all_modes(Robot(), pose), pose, pose, corridors);
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_EQ(count(svg, ">corridors<"), 1u);

@@ -72,6 +72,11 @@ struct Scene
 };
 
 /// Centre of a disc at `offset` on the body's x axis.
+inline Pose disc_centre(const Pose& pose, const Point2& on_body)
+{
+  return compose(pose, {on_body.x, on_body.y, 0.0});
+}
+
 inline Pose disc_centre(const Pose& pose, double offset)
 {
   return compose(pose, {offset, 0.0, 0.0});

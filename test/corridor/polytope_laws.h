@@ -44,16 +44,17 @@ void for_each_region(const PolytopeCorridor& corridor, const std::vector<Pose>& 
                      const std::vector<double>& shrink, Visit visit, const DiscCover& discs = kDiscs)
 {
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded) << corridor.message;
-  ASSERT_EQ(corridor.regions.size(), discs.offsets.size());
+  ASSERT_EQ(corridor.regions.size(), discs.centres.size());
   for (const DiscRegions& disc : corridor.regions) ASSERT_EQ(disc.regions.size(), knots.size() - 1);
   ASSERT_EQ(corridor.deficit.size(), knots.size() - 1);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    for (std::size_t d = 0; d < discs.offsets.size(); ++d)
+    for (std::size_t d = 0; d < discs.centres.size(); ++d)
     {
       SCOPED_TRACE("interval " + std::to_string(i) + ", disc " + std::to_string(d));
-      EXPECT_EQ(corridor.regions[d].offset, discs.offsets[d]);
-      visit(Case{corridor.regions[d].regions[i], disc_centre(knots[i], discs.offsets[d]),
-                 disc_centre(knots[i + 1], discs.offsets[d]), discs.radius + (shrink.empty() ? 0.0 : shrink[i]), corridor.deficit[i]});
+      EXPECT_EQ(corridor.regions[d].centre.x, discs.centres[d].x);
+      EXPECT_EQ(corridor.regions[d].centre.y, discs.centres[d].y);
+      visit(Case{corridor.regions[d].regions[i], disc_centre(knots[i], discs.centres[d]),
+                 disc_centre(knots[i + 1], discs.centres[d]), discs.radius + (shrink.empty() ? 0.0 : shrink[i]), corridor.deficit[i]});
       if (testing::Test::HasFailure()) return;
     }
 }

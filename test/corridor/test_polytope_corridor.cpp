@@ -18,7 +18,7 @@ TEST(PolytopeCorridor, NextToAWallTheRegionReachesTheWallAndTheRange)
   const PolytopeCorridor corridor =
       polytope_corridor(obstacles, kDiscs, options, {{5.0, 2.0, 0.0}, {5.2, 2.0, 0.0}});
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded);
-  const double front = 5.0 + kDiscs.offsets[0], wall = 1.0 + kDiscs.radius;
+  const double front = 5.0 + kDiscs.centres[0].x, wall = 1.0 + kDiscs.radius;
   const std::vector<Point2> ends = corners(corridor.regions[0].regions[0], {5.0, 2.0}, 50.0);
   ASSERT_EQ(ends.size(), 4u);
   for (const Point2& expected :
@@ -49,7 +49,7 @@ TEST(PolytopeCorridor, AGapAsWideAsTheDiscsLeavesTheChord)
 {
   OccupancyGrid grid = above_a_wall();
   occupy_block(grid, 0, 40, 200, 20);  // from y = 2 on: 1 m wide
-  const DiscCover discs{{0.25, -0.25}, 0.5};
+  const DiscCover discs{{{0.25, 0.0}, {-0.25, 0.0}}, 0.5};
   const std::vector<Pose> knots{{5.0, 1.5, 0.0}, {5.2, 1.5, 0.0}};
   const PolytopeCorridor corridor = polytope_corridor(ObstacleRectangles(ObstacleMap(grid)), discs, {}, knots);
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded);

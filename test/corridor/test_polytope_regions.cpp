@@ -91,10 +91,10 @@ TEST_F(RandomDrives, TheDeficitIsWhatTheChordLacks)
         for (std::size_t i = 0; i + 1 < knots.size(); ++i)
         {
           double nearest = INFINITY;
-          for (double offset : kDiscs.offsets)
+          for (const Point2& on_body : kDiscs.centres)
             for (int k = 0; k <= 500; ++k)
             {
-              const Pose p = between(disc_centre(knots[i], offset), disc_centre(knots[i + 1], offset), k / 500.0);
+              const Pose p = between(disc_centre(knots[i], on_body), disc_centre(knots[i + 1], on_body), k / 500.0);
               nearest = std::min(nearest, scene.every.distance(p.x, p.y));
             }
           ASSERT_NEAR(corridor.deficit[i], std::max(0.0, kDiscs.radius - nearest), 1e-3) << "interval " << i;

@@ -41,7 +41,7 @@ struct Straight
   {
     const Polytope wide = {{1, 0, 3}, {-1, 0, 3}, {0, 1, 3}, {0, -1, 3}};
     for (int k = 0; k <= 5; ++k) segment.knots.push_back({0.2 * k, 0.0, 0.0});
-    for (double offset : {0.25, -0.25}) corridor.push_back({offset, std::vector<Polytope>(5, wide)});
+    for (double offset : {0.25, -0.25}) corridor.push_back({{offset, 0.0}, std::vector<Polytope>(5, wide)});
   }
 };
 

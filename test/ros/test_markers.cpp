@@ -149,8 +149,8 @@ double area(const Marker& triangles)
 TEST(Markers, corridors_are_translucent_and_cover_their_regions)
 {
   const std::vector<Corridor> corridors = {
-      {{0.25, {region(0, 0, 1, 1), region(1, 0, 3, 2)}}, {-0.25, {region(-1, 0, 0, 0.5)}}},
-      {{0.25, {region(3, 0, 4, 1)}}, {-0.25, {region(0, 0, 0.5, 0.5)}}}};
+      {{{0.25, 0.0}, {region(0, 0, 1, 1), region(1, 0, 3, 2)}}, {{-0.25, 0.0}, {region(-1, 0, 0, 0.5)}}},
+      {{{0.25, 0.0}, {region(3, 0, 4, 1)}}, {{-0.25, 0.0}, {region(0, 0, 0.5, 0.5)}}}};
   const Marker marker = corridor_marker(corridors, {0, 0, 0}, {});
   EXPECT_NEAR(area(marker), 6.75, 1e-6);
   EXPECT_EQ(marker.type, Marker::TRIANGLE_LIST);

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "../support/grids.h"
+#include "../support/rectangle.h"
+#include "fourwis_navigation/map/collision.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 6;
+/// By how much the small discs stick out of the body, of the robot with default sizes [m].
+constexpr double kOverhang = 0.026;
+
+Robot larger(Robot robot, double by)
+{
+  robot.length += 2.0 * by;
+  robot.width += 2.0 * by;
+  return robot;
+}
+
+/// Visits random poses in clutter, with a checker that keeps `margin` where two discs do not fit.
+template <typename Visit>
+void for_poses(double margin, Visit visit)
+{
+  Random random(kSeed);
+  for (double resolution : {0.02, 0.05, 0.1})
+  {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", resolution " + std::to_string(resolution));
+    const Site site(clutter(random, 6.0, resolution, 14, random.pose(10.0)));
+    const CollisionChecker snug(site.map, site.robot, margin);
+    for (int k = 0; k < 2000; ++k)
+      visit(site, snug, compose(site.grid.origin, {random.between(0.0, 6.0), random.between(0.0, 6.0), random.angle()}));
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+struct SnugCollision : testing::TestWithParam<double>
+{
+};
+
+TEST_P(SnugCollision, LetsNoBodyTouchAnObstacle)
+{
+  int gained = 0;
+  for_poses(GetParam(), [&](const Site& site, const CollisionChecker& snug, const Pose& pose) {
+    if (!snug.is_free(pose)) return;
+    // A disc's margin holds in all directions, a larger rectangle has corners beyond it.
+    const double kept = std::max(0.0, GetParam() * M_SQRT1_2 - 1e-9);
+    ASSERT_FALSE(ExactRectangle(site.grid, larger(site.robot, kept)).collides(pose)) << text(pose);
+    gained += !site.checker.is_free(pose);
+  });
+  EXPECT_GT(gained, 20) << "poses where two discs do not fit";
+}
+
+TEST_P(SnugCollision, LetsThroughWhateverTheTwoDiscsDoAndWhateverFitsWithItsOverhang)
+{
+  for_poses(GetParam(), [&](const Site& site, const CollisionChecker& snug, const Pose& pose) {
+    const bool fits = !ExactRectangle(site.grid, larger(site.robot, GetParam() + kOverhang)).collides(pose);
+    ASSERT_TRUE(snug.is_free(pose) || !(fits || site.checker.is_free(pose))) << text(pose);
+  });
+}
+
+TEST_P(SnugCollision, KeepsTwoDiscsOfTheBodyClear)
+{
+  for_poses(GetParam(), [&](const Site& site, const CollisionChecker& snug, const Pose& pose) {
+    if (!snug.is_free(pose)) return;
+    for (double offset : {snug.discs().offset, -snug.discs().offset})
+    {
+      const Pose centre = compose(pose, {offset, 0.0, 0.0});
+      ASSERT_GE(site.map.distance(centre.x, centre.y), snug.discs().radius) << text(pose);
+    }
+  });
+}
+
+TEST_P(SnugCollision, SaysByHowMuchAPoseIsFree)
+{
+  for_poses(GetParam(), [](const Site&, const CollisionChecker& snug, const Pose& pose) {
+    ASSERT_EQ(snug.is_free(pose), snug.clearance(pose) >= 0.0) << text(pose);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Margins, SnugCollision, testing::Values(0.0, 0.01, 0.02));
+
+}  // namespace
+}  // namespace fourwis
