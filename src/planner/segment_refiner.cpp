@@ -19,6 +19,9 @@ constexpr double kLeastClearance = 0.0006, kWantedClearance = 0.003;
 /// The exact motion from one point may miss the next by this much before the knots are put closer together [m].
 constexpr double kMostRolloutMiss = 0.004;
 
+/// In a polished motion no disc is expected to be farther than this from where it was before [m].
+constexpr double kPolishReach = 0.5;
+
 RefinedSegment give_up(RefinedSegment&& result, const std::string& message)
 {
   result.solved = false;
@@ -29,6 +32,31 @@ RefinedSegment give_up(RefinedSegment&& result, const std::string& message)
 bool turns_back(const Segment& segment, std::size_t knot)
 {
   return std::signbit(segment.length[knot - 1]) != std::signbit(segment.length[knot]);
+}
+
+/// Whether a disc that moves from one pose to the other comes nearer to the half plane's edge than `reach`.
+bool comes_near(const HalfPlane& plane, double offset, const TrajectoryPoint& from, const TrajectoryPoint& to, double reach)
+{
+  const auto gap = [&](const TrajectoryPoint& p) {
+    return plane.c - plane.a * (p.x + offset * std::cos(p.theta)) - plane.b * (p.y + offset * std::sin(p.theta));
+  };
+  return std::min(gap(from), gap(to)) < reach;
+}
+
+/// The regions without the edges that are farther than `reach` from the points, which cost time and bind nothing. A disc that
+/// goes farther than that may leave them, which the certificate tells.
+Corridor near_edges(const Corridor& corridor, const Trajectory& points, double reach)
+{
+  Corridor near = corridor;
+  for (DiscRegions& disc : near)
+    for (std::size_t k = 0; k < disc.regions.size(); ++k)
+    {
+      Polytope& region = disc.regions[k];
+      const auto is_far = [&](const HalfPlane& plane)
+      { return !comes_near(plane, disc.offset, points[k], points[k + 1], reach); };
+      region.erase(std::remove_if(region.begin(), region.end(), is_far), region.end());
+    }
+  return near;
 }
 
 }  // namespace
@@ -102,7 +130,8 @@ bool SegmentRefiner::polish(std::vector<RefinementRound>& rounds, int& solver_it
   const HalvedSegment halved(robot_, rounds.back().points);
   PolytopeCorridor regions = corridor(fine_discs_, halved.reference.knots, {});
   if (regions.status != CorridorStatus::succeeded) return false;
-  SegmentSolution solution = solve(halved.reference, regions.regions, &halved.points, {}, kFineTolerance);
+  SegmentSolution solution = solve(halved.reference, near_edges(regions.regions, halved.points, kPolishReach),
+                                   &halved.points, {}, kFineTolerance);
   solver_iterations += solution.iterations;
   if (!solution.solved || solution.points.back().t >= rounds.back().points.back().t) return false;
   const Certificate certificate = certify(map_, fine_discs_, robot_, solution.points);

@@ -1,5 +1,7 @@
 #include "fourwis_navigation/ros/plan_services.h"
 
+#include <ros/console.h>
+
 #include "fourwis_navigation/ros/conversions.h"
 
 namespace fourwis
@@ -8,7 +10,7 @@ namespace fourwis
 using fourwis_navigation::PlanTrajectory;
 
 PlanServices::PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes,
-                           GoalServer& goals, PlannerTopics& topics)
+                           GoalServer& goals, const PlannerTopics& topics)
   : poses_(poses), planner_(planner), modes_(modes), goals_(goals), topics_(topics), spinner_(1, &queue_)
 {
   ros::NodeHandle node("~"), planning_node("~");
@@ -37,11 +39,11 @@ void PlanServices::make_plan(const nav_msgs::GetPlan::Request& request, nav_msgs
     if (answer.result.status == PlanStatus::succeeded)
       response.plan = to_path_message(answer.result.trajectory, response.plan.header);
     else
-      topics_.publish_failure(request.goal, "make_plan: ", answer);
+      ROS_WARN("make_plan: %s", answer.result.message.c_str());
   }
   catch (const ConversionError& error)
   {
-    topics_.publish_refusal(request.goal, std::string("make_plan: ") + error.what());
+    ROS_WARN("make_plan: %s", error.what());
   }
 }
 
@@ -60,14 +62,11 @@ void PlanServices::plan_trajectory(const PlanTrajectory::Request& request, PlanT
     response.map_stamp = answer.map_stamp;
     if (response.success)
       response.trajectory = to_message(result.trajectory, response.trajectory.header);
-    else
-      topics_.publish_failure(request.goal, "plan_trajectory: ", answer);
   }
   catch (const ConversionError& error)
   {
     response.status = to_string(PlanStatus::invalid_input);
     response.message = error.what();
-    topics_.publish_refusal(request.goal, std::string("plan_trajectory: ") + error.what());
   }
 }
 

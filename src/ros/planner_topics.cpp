@@ -56,32 +56,16 @@ void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAn
   if (answer.result.status != PlanStatus::succeeded)
   {
     publish_failure_markers(answer);
-    publish_failure(goal, "", answer);
+    publish_end(PlannerStatus::FAILED, goal, answer);
     return;
   }
   publish_plan(answer, begin);
-  PlannerStatus done = status(PlannerStatus::SUCCEEDED, goal);
-  done.status = to_string(answer.result.status);
-  done.message = answer.result.message;
-  done.map_stamp = answer.map_stamp;
-  done.metrics = to_message(answer.result.metrics);
-  publish_status(done);
+  publish_end(PlannerStatus::SUCCEEDED, goal, answer);
 }
 
 void PlannerTopics::publish_stop(const ros::Time& begin)
 {
   publish_trajectory({}, begin);
-}
-
-void PlannerTopics::publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by,
-                                    const PlanAnswer& answer)
-{
-  PlannerStatus failed = status(PlannerStatus::FAILED, goal);
-  failed.status = to_string(answer.result.status);
-  failed.message = asked_by + answer.result.message;
-  failed.map_stamp = answer.map_stamp;
-  failed.metrics = to_message(answer.result.metrics);
-  publish_status(failed);
 }
 
 void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message)
@@ -140,6 +124,16 @@ void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)
   markers.markers.push_back(failure_marker(answer.request.goal, answer.result.status, now));
   if (show_expansions_) markers.markers.push_back(expansion_marker(answer.trace, now));
   marker_.publish(markers);
+}
+
+void PlannerTopics::publish_end(std::uint8_t state, const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer)
+{
+  PlannerStatus end = status(state, goal);
+  end.status = to_string(answer.result.status);
+  end.message = answer.result.message;
+  end.map_stamp = answer.map_stamp;
+  end.metrics = to_message(answer.result.metrics);
+  publish_status(end);
 }
 
 PlannerStatus PlannerTopics::status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const

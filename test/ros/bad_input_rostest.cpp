@@ -94,14 +94,12 @@ protected:
     call.request.goal = goal;
     ASSERT_TRUE(ros::service::call("/move_base/make_plan", call));
     EXPECT_TRUE(call.response.plan.poses.empty());
-    expect_refused(status, "make_plan: ");
 
     const PlanTrajectory::Response answer = plan(stamped({}, ""), goal);
     EXPECT_FALSE(answer.success);
     EXPECT_EQ(answer.status, status);
     EXPECT_NE(answer.message.find(part), std::string::npos) << "'" << answer.message << "' lacks '" << part << "'";
     EXPECT_TRUE(answer.trajectory.points.empty());
-    expect_refused(status, part);
   }
 
   static double stamp_;
@@ -205,7 +203,7 @@ TEST_F(BadInput, a_start_in_collision_or_off_the_map_is_refused)
   {
     const PlanTrajectory::Response answer = plan(stamped(start), stamped(kGoal));
     EXPECT_EQ(answer.status, "start_in_collision");
-    expect_refused("start_in_collision", "the start");
+    EXPECT_NE(answer.message.find("the start"), std::string::npos) << answer.message;
   }
 }
 
@@ -214,8 +212,8 @@ TEST_F(BadInput, an_unknown_mode_is_refused_by_name)
   const PlanTrajectory::Response answer = plan(stamped(kStart), stamped(kGoal), {"ackermann", "sideways"});
   EXPECT_FALSE(answer.success);
   EXPECT_EQ(answer.status, "invalid_input");
-  EXPECT_NE(answer.message.find("'sideways'"), std::string::npos) << answer.message;
-  expect_refused("invalid_input", "expected ackermann, lateral or parallel");
+  EXPECT_NE(answer.message.find("'sideways' is unknown, expected ackermann, lateral or parallel"), std::string::npos)
+    << answer.message;
 }
 
 TEST_F(BadInput, an_initial_pose_that_is_no_pose_is_refused_and_the_last_one_counts)

@@ -20,13 +20,14 @@ namespace fourwis
 
 /// `~make_plan` and `~plan_trajectory` answer without publishing a plan, one after the other on a thread of their own,
 /// beside goals and callbacks; `~cancel` ends them and the goal's plan. A start without frame_id means the robot's
-/// pose. Failures show in the planner's status as well: `~make_plan` has no other place for the reason.
+/// pose. None of it touches the planner's status, which is about the goal. Why there is no plan is in the answer of
+/// `~plan_trajectory`, which has a place for it, and of `~make_plan` in the log.
 class PlanServices
 {
 public:
   /// All must outlive this.
   PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, GoalServer& goals,
-               PlannerTopics& topics);
+               const PlannerTopics& topics);
   /// Cancels what runs.
   ~PlanServices();
   PlanServices(const PlanServices&) = delete;
@@ -44,7 +45,7 @@ private:
   const MapPlanner& planner_;
   const ModeSet modes_;
   GoalServer& goals_;
-  PlannerTopics& topics_;
+  const PlannerTopics& topics_;
   std::atomic<bool> planning_{false};
   std::atomic<bool> cancelled_{false};
   ros::CallbackQueue queue_;

@@ -34,8 +34,6 @@ public:
   void publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer, const ros::Time& begin);
   /// An empty trajectory: the robot stops at `begin`.
   void publish_stop(const ros::Time& begin);
-  /// Status only; for what failed without touching the published plan.
-  void publish_failure(const geometry_msgs::PoseStamped& goal, const std::string& asked_by, const PlanAnswer& answer);
   /// Status only; for input that never came to planning. An empty goal: it was about none.
   void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message);
 
@@ -46,6 +44,7 @@ private:
   void publish_plan(const PlanAnswer& answer, const ros::Time& begin);
   void publish_trajectory(const Trajectory& trajectory, const ros::Time& begin);
   void publish_failure_markers(const PlanAnswer& answer);
+  void publish_end(std::uint8_t state, const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer);
   fourwis_navigation::PlannerStatus status(std::uint8_t state, const geometry_msgs::PoseStamped& goal) const;
   void publish_status(const fourwis_navigation::PlannerStatus& status);
 
