@@ -21,7 +21,7 @@ DriveReport lost(const std::string& what, double patience, const std::string& re
 
 std::string why(DrivePhase phase, const Tracking& tracking)
 {
-  if (phase == DrivePhase::failed || phase == DrivePhase::unable) return tracking.message;
+  if (phase == DrivePhase::failed) return tracking.message;
   if (phase != DrivePhase::lost) return "";
   if (tracking.state == Tracking::REFUSED) return tracking.message;
   return "the controller has dropped the trajectory: restarted, or sent another one";
@@ -35,7 +35,6 @@ void DriveMonitor::sending(Kind kind, const ros::Time& stamp, const ros::Time& n
   kind_ = kind;
   stamp_ = stamp;
   due_ = heard_ = std::max(stamp, now);
-  unable_ = false;
   report_ = {DrivePhase::pending, now, 0.0, {}};
   rest_since_.reset();
 }
@@ -47,13 +46,13 @@ void DriveMonitor::reported(const Tracking& tracking, const ros::Time& now)
   heard_ = now;
   told_ = tracking.message;
   if (!ended()) follow(tracking, stamp);
-  if (tracking.state != Tracking::REFUSED) watch_rest(tracking, stamp);
+  if (tracking.state == Tracking::REFUSED) return;
+  watch_rest(tracking, stamp);
+  watch_base(tracking, stamp);
 }
 
 void DriveMonitor::follow(const Tracking& tracking, const ros::Time& stamp)
 {
-  const bool ours = tracking.trajectory == stamp_ && tracking.state != Tracking::REFUSED;
-  unable_ = unable_ || (ours && !tracking.enabled);
   const DrivePhase phase = phase_after(tracking);
   if (phase != report_.phase) report_ = {phase, stamp, report_.t, why(phase, tracking)};
   // At rest there is no answer to where on the trajectory: it is where it was.
@@ -66,6 +65,12 @@ void DriveMonitor::watch_rest(const Tracking& tracking, const ros::Time& stamp)
     rest_since_ = std::min(rest_since_.value_or(stamp), stamp);
   else
     rest_since_.reset();
+}
+
+void DriveMonitor::watch_base(const Tracking& tracking, const ros::Time& stamp)
+{
+  enabled_ = tracking.enabled;
+  disabled_ = enabled_ ? std::min(disabled_, stamp) : stamp;
 }
 
 DrivePhase DriveMonitor::phase_after(const Tracking& tracking) const
@@ -81,7 +86,7 @@ DrivePhase DriveMonitor::phase_of_ours(const Tracking& tracking) const
   switch (tracking.state)
   {
     case Tracking::ARRIVED: return DrivePhase::arrived;
-    case Tracking::FAILED: return unable_ ? DrivePhase::unable : DrivePhase::failed;
+    case Tracking::FAILED: return DrivePhase::failed;
     case Tracking::IDLE:
     case Tracking::REFUSED: return DrivePhase::lost;
     default: return DrivePhase::driving;
@@ -100,7 +105,7 @@ bool DriveMonitor::rests(const Tracking& tracking) const
 bool DriveMonitor::ended() const
 {
   return report_.phase == DrivePhase::arrived || report_.phase == DrivePhase::failed ||
-         report_.phase == DrivePhase::unable || report_.phase == DrivePhase::lost;
+         report_.phase == DrivePhase::lost;
 }
 
 DriveReport DriveMonitor::report(const ros::Time& now) const
@@ -117,6 +122,18 @@ std::optional<ros::Time> DriveMonitor::at_rest_since(const ros::Time& now) const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   return silent(now) ? std::nullopt : rest_since_;
+}
+
+bool DriveMonitor::disabled_since(const ros::Time& time) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return disabled_ > time;
+}
+
+bool DriveMonitor::enabled_again_since(const ros::Time& time) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return enabled_ && disabled_ > time;
 }
 
 }  // namespace fourwis

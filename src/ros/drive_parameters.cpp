@@ -16,6 +16,16 @@ MpcControllerOptions controller_options(KeyReader& reader)
   return options;
 }
 
+void check_pace(const BaseSimulatorNodeOptions& options)
+{
+  const bool has_bus = options.bus != kDirect;
+  if (options.real_time_factor == 1.0 || (!has_bus && options.publish_clock)) return;
+  const std::string time = has_bus ? "'bus' is '" + options.bus + "': its drives live in real time"
+                                   : "'publish_clock' is false: time is somebody else's";
+  throw ConfigError("parameter 'real_time_factor' is " + std::to_string(options.real_time_factor) +
+                    ", expected 1 where " + time);
+}
+
 BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
 {
   BaseSimulatorNodeOptions options;
@@ -27,9 +37,7 @@ BaseSimulatorNodeOptions simulator_options(KeyReader& reader)
   options.transform_tolerance = reader.number("transform_tolerance", 0.0, 10.0, "s");
   options.publish_clock = reader.flag("publish_clock");
   options.real_time_factor = reader.number("real_time_factor", 0.01, 1000.0, "");
-  if (options.bus != kDirect && options.real_time_factor != 1.0)
-    throw ConfigError("parameter 'real_time_factor' is " + std::to_string(options.real_time_factor) +
-                      ", expected 1 with bus '" + options.bus + "': what is on it runs in real time");
+  check_pace(options);
   options.lockstep_period = reader.number("lockstep_period", 0.0, 1.0, "s");
   options.initial.x = reader.number("initial_x", -kFarthest, kFarthest, "m");
   options.initial.y = reader.number("initial_y", -kFarthest, kFarthest, "m");

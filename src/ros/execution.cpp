@@ -16,6 +16,9 @@ namespace
 
 using fourwis_navigation::PlannerStatus;
 
+/// Whoever enables a base does not expect it to go on to a goal from before.
+constexpr const char* kDisabled = "the base was not enabled at some time since the goal was given; give a new one";
+
 /// Nobody notifies when something happens that a trip waits for.
 void nap()
 {
@@ -88,6 +91,7 @@ Execution::Ended Execution::send_plan(Trip& trip)
 Execution::Ended Execution::send(Trip& trip, const PlanAnswer& answer, const ros::Time& begin)
 {
   const bool succeeded = answer.result.status == PlanStatus::succeeded;
+  if (succeeded && monitor_.enabled_again_since(trip.goal.given)) return failed(trip, kDisabled);
   if (succeeded) sent_ = distinct(begin);
   if (succeeded) monitor_.sending_trajectory(sent_, ros::Time::now());
   topics_.publish(trip.goal.asked, answer, sent_);
@@ -105,7 +109,8 @@ Execution::Ended Execution::drive(Trip& trip)
     const DriveReport report = monitor_.report(ros::Time::now());
     if (report.phase == DrivePhase::arrived) return arrived(trip, report);
     if (report.phase == DrivePhase::failed) return given_up(trip, report);
-    if (report.phase == DrivePhase::lost || report.phase == DrivePhase::unable) return failed(trip, report.message);
+    if (report.phase == DrivePhase::lost) return failed(trip, report.message);
+    if (monitor_.enabled_again_since(trip.goal.given)) return failed(trip, kDisabled);
     if (report.phase == DrivePhase::driving && !std::exchange(announced, true))
       topics_.publish_progress(trip.goal.asked, PlannerStatus::DRIVING, "driving", "driving");
     if (is_blocked(trip, report.t, checked)) return std::nullopt;
@@ -127,7 +132,7 @@ bool Execution::is_blocked(Trip& trip, double t, MapStore::Snapshot& checked) co
 
 Execution::Ended Execution::given_up(Trip& trip, const DriveReport& report)
 {
-  if (trip.attempts_left-- == 0) return failed(trip, report.message);
+  if (trip.attempts_left-- == 0 || monitor_.disabled_since(trip.goal.given)) return failed(trip, report.message);
   trip.occasion = report.since;
   trip.reason = "the controller gave up: " + report.message;
   return std::nullopt;

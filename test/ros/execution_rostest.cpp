@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -207,7 +208,7 @@ TEST_F(Execution, what_services_answer_is_no_part_of_what_is_said_about_the_driv
   const Pose into_the_wall{0, 5, 0};
   drive_towards(kEast);
   nav_msgs::GetPlan call;
-  for (const std::string& frame : {"map", "moon"})
+  for (const char* frame : {"map", "moon"})
   {
     call.request.goal = stamped(into_the_wall, frame);
     ASSERT_TRUE(ros::service::call("/move_base/make_plan", call));
@@ -263,6 +264,20 @@ TEST_F(Execution, where_the_base_does_not_let_itself_be_driven_the_goal_fails_at
   expect_end("ABORTED", "off the path by 0.3 m");
   ASSERT_TRUE(wait_for_status("drive_failed", kEast));
   EXPECT_EQ(story(kEast), "planning succeeded driving drive_failed");
+}
+
+TEST_F(Execution, a_base_that_was_disabled_while_the_robot_stopped_drives_to_a_new_goal_only)
+{
+  drive_towards(kEast);
+  controller->disable_base_while_stopping();
+  trajectories_.clear();
+  send_action(kNorth);
+  expect_end("ABORTED", "the base was not enabled");
+  EXPECT_TRUE(wait_for_status("drive_failed", kNorth));
+  send_action(kStart);
+  expect_end("SUCCEEDED");
+  const std::string kinds = sent();
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), 'T'), 1) << kinds;
 }
 
 TEST_F(Execution, a_trajectory_of_somebody_else_that_is_refused_does_not_disturb_the_drive)

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -44,7 +45,7 @@ public:
     taken_ = ros::Time();
     state_ = Tracking::IDLE;
     hold_ = fail_ = kNever;
-    enabled_ = true;
+    disabled_in_.reset();
     silent_ = unstoppable_ = surprised_ = false;
   }
 
@@ -75,9 +76,11 @@ public:
   /// Gives up there, and whoever looks then sees a base that is not enabled.
   void disable_base_at(double t)
   {
-    set(enabled_, false);
+    set(disabled_in_, std::optional<std::uint8_t>(Tracking::FAILED));
     fail_at(t);
   }
+  /// The base is not enabled while the robot comes to rest, and is when it rests.
+  void disable_base_while_stopping() { set(disabled_in_, std::optional<std::uint8_t>(Tracking::STOPPING)); }
 
   void fall_silent() { set(silent_, true); }
   void be_unstoppable() { set(unstoppable_, true); }
@@ -195,7 +198,7 @@ private:
     tracking.state = state_;
     tracking.trajectory = taken_;
     tracking.message = message_;
-    tracking.enabled = enabled_ || state_ != Tracking::FAILED;
+    tracking.enabled = disabled_in_ != state_;
     tracking.t = t_;
     tracking_.publish(tracking);
   }
@@ -214,7 +217,8 @@ private:
   std::uint8_t state_ = Tracking::IDLE;
   std::string message_;
   double t_ = 0.0, hold_ = kNever, fail_ = kNever;
-  bool enabled_ = true, silent_ = false, unstoppable_ = false, surprised_ = false;
+  std::optional<std::uint8_t> disabled_in_;  ///< state in which the base is not enabled
+  bool silent_ = false, unstoppable_ = false, surprised_ = false;
   std::atomic<bool> ended_{false};
   std::thread thread_;
 };

@@ -23,12 +23,14 @@ void set_parameters(const std::string& name, const ParameterMap& parameters)
     std::visit([path = name + '/' + key](const auto& plain) { ros::param::set(path, plain); }, value);
 }
 
-void set_shipped_parameters(const std::string& name)
+/// Those of a node and of a group of its parameters, besides the robot's.
+void set_shipped_parameters(const std::string& name, const std::string& node = "global_planner",
+                            const std::string& group = "planner")
 {
   ros::param::del(name);
-  set_parameters(name, read_parameter_file(kConfig + "global_planner.yaml"));
+  set_parameters(name, read_parameter_file(kConfig + node + ".yaml"));
   set_parameters(name + "/robot", read_parameter_file(kConfig + "robot.yaml"));
-  set_parameters(name + "/planner", read_parameter_file(kConfig + "planner.yaml"));
+  set_parameters(name + '/' + group, read_parameter_file(kConfig + group + ".yaml"));
 }
 
 /// Starts the planner with the shipped files and these parameters beside them, and expects it to refuse them.
@@ -130,6 +132,12 @@ TEST(GlobalPlannerNode, leaves_its_status_to_the_action_of_the_same_name)
     if (topic.name != "/move_base/status") continue;
     EXPECT_EQ(topic.datatype, "actionlib_msgs/GoalStatusArray");
   }
+}
+
+TEST(BaseSimulatorNode, a_clock_that_nobody_follows_stops_it)
+{
+  set_shipped_parameters("/timeless", "base_simulator", "simulator");
+  expect_ends_with("base_simulator_node", {"__name:=timeless"}, "'publish_clock' is true, expected false where");
 }
 
 TEST(MapPublisherNode, publishes_latched_what_the_file_says)

@@ -85,16 +85,35 @@ TEST_F(DriveMonitorTest, a_failure_has_the_controllers_reason_and_stays_when_the
   EXPECT_EQ(monitor_.report(now_).message, "off the path by 0.3 m");
 }
 
-TEST_F(DriveMonitorTest, a_robot_whose_base_does_not_let_itself_be_driven_is_not_to_be_tried_again)
+TEST_F(DriveMonitorTest, that_the_base_was_disabled_counts_for_what_was_asked_before_whatever_is_sent_meanwhile)
 {
   begin_to_drive();
+  EXPECT_FALSE(monitor_.disabled_since(ros::Time(0.1))) << "has always been enabled";
   hear(101.0, Tracking::STOPPING, kBegin, "the base stops by itself", false);
-  hear(102.0, Tracking::FAILED, kBegin, "the base stops by itself", true);  // enabled again in between
-  EXPECT_EQ(phase(), DrivePhase::unable);
-  EXPECT_EQ(monitor_.report(now_).message, "the base stops by itself");
-  monitor_.sending_trajectory(ros::Time(103.0), now_);
-  hear(103.0, Tracking::FAILED, ros::Time(103.0), "pushed");
-  EXPECT_EQ(phase(), DrivePhase::failed) << "a new trajectory is judged anew";
+  EXPECT_TRUE(monitor_.disabled_since(kSent));
+  EXPECT_FALSE(monitor_.enabled_again_since(kSent)) << "is still disabled";
+  monitor_.sending_stop(ros::Time(101.2), now_);
+  hear(101.5, Tracking::IDLE, ros::Time(101.2));
+  monitor_.sending_trajectory(ros::Time(102.0), now_);
+  hear(102.0, Tracking::DRIVING, ros::Time(102.0));
+  EXPECT_TRUE(monitor_.disabled_since(kSent));
+  EXPECT_TRUE(monitor_.enabled_again_since(kSent));
+  EXPECT_FALSE(monitor_.disabled_since(ros::Time(101.0))) << "asked for since";
+  EXPECT_FALSE(monitor_.enabled_again_since(ros::Time(101.0)));
+}
+
+TEST_F(DriveMonitorTest, a_refusal_says_nothing_about_the_base)
+{
+  begin_to_drive();
+  hear(101.0, Tracking::REFUSED, ros::Time(50.0), "header.frame_id is 'odom'", false);
+  EXPECT_FALSE(monitor_.disabled_since(kSent));
+}
+
+TEST_F(DriveMonitorTest, when_the_clock_goes_back_so_does_when_the_base_was_disabled)
+{
+  hear(100.0, Tracking::IDLE, {}, "", false);
+  hear(80.0, Tracking::IDLE, {});
+  EXPECT_FALSE(monitor_.disabled_since(ros::Time(80.0)));
 }
 
 TEST_F(DriveMonitorTest, what_is_refused_to_somebody_else_changes_nothing)

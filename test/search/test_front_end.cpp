@@ -123,19 +123,19 @@ TEST_F(FrontEnd, ShowsEveryPoseItExpands)
   EXPECT_GT(most, 10);
 }
 
-/// A goal behind a door that the proofs take for wide enough and that is not.
+/// A goal to which one could slide, for a car: a slot of 1.4 m for 1 m of robot.
 struct LongSearch : FrontEnd
 {
   static OccupancyGrid hall()
   {
-    OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
-    occupy_block(grid, 90, 0, 1, 120);
-    for (int row = 52; row < 68; ++row) cell(grid, 90, row) = 0;  // 0.80 m; the two discs need 0.84 m
+    OccupancyGrid grid = free_area(8.0, 6.0, 0.05);
+    occupy_block(grid, 0, 80, 66, 40);
+    occupy_block(grid, 94, 80, 66, 40);
     return grid;
   }
 
   const Site site{hall()};
-  const PlanRequest request = {{2.0, 3.0, 0.0}, {7.0, 3.0, 0.0}, {}};
+  const PlanRequest request = {{1.5, 2.0, 0.0}, {4.0, 5.0, 0.0}, {true, false, false}};
 };
 
 TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
@@ -198,6 +198,17 @@ TEST_F(FrontEnd, ProvesThatAWalledInGoalIsOutOfReach)
       EXPECT_EQ(result.expansions, 0);
     }
   }
+}
+
+TEST_F(FrontEnd, ProvesThatAGoalIsBehindADoorThatLacksCentimetresWhereTheQuickSearchFails)
+{
+  OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
+  occupy_block(grid, 90, 0, 1, 120);
+  for (int row = 52; row < 68; ++row) cell(grid, 90, row) = 0;  // 0.80 m; the two discs need 0.84 m
+  options.max_expansions = 100000;
+  const SearchResult result = find(Site(grid), {{2.0, 3.0, 0.0}, {7.0, 3.0, 0.0}, {}});
+  EXPECT_EQ(result.status, PlanStatus::goal_unreachable);
+  EXPECT_LE(result.expansions, 2000);
 }
 
 TEST_F(FrontEnd, RefusesToTurnTheRobotByParallelMotionAlone)

@@ -35,6 +35,11 @@ public:
   bool is_free(const PathPiece& piece) const { return free_length(piece) >= std::abs(piece.length); }
 
   double stride() const { return stride_; }
+
+  /// What the centres of discs() keep from every obstacle all along a motion found free [m]: their radius less what they
+  /// may come closer between two checks.
+  double least_clearance() const { return least_clearance_; }
+
   const ObstacleMap& map() const { return map_; }
 
   /// Two discs whose centres keep `radius` at every pose found free.
@@ -53,6 +58,7 @@ private:
   std::optional<DiscCover> snug_;
   double stride_;
   double reach_;  ///< of the disc centre farthest from C [m]
+  double least_clearance_;
 };
 
 /// Least distance of the discs to obstacles at a pose [m]; negative in collision.

@@ -19,7 +19,6 @@ enum class DrivePhase
   driving,
   arrived,  ///< at rest at the goal
   failed,   ///< at rest, given up by the controller
-  unable,   ///< as `failed`, and meanwhile the base did not let itself be driven: to try again would not do
   lost      ///< refused or dropped by the controller; or that is silent or late, which may pass
 };
 
@@ -28,7 +27,7 @@ struct DriveReport
   DrivePhase phase = DrivePhase::none;
   ros::Time since;      ///< stamp of the controller's first report of this phase
   double t = 0.0;       ///< where on the trajectory the robot is [s]
-  std::string message;  ///< of `failed`, `unable` and `lost`: why
+  std::string message;  ///< of `failed` and `lost`: why
 };
 
 /// Makes one story of the controller's reports. What has ended stays so until something else is sent. The stamps it answers
@@ -51,6 +50,10 @@ public:
   /// Since when the robot stands still, with nothing before it that could begin; empty when it does not, or nobody knows.
   std::optional<ros::Time> at_rest_since(const ros::Time& now) const;
 
+  /// Whether the base has not let itself be driven at some time after `time`; and whether, for all that, it does now.
+  bool disabled_since(const ros::Time& time) const;
+  bool enabled_again_since(const ros::Time& time) const;
+
 private:
   enum class Kind
   {
@@ -62,6 +65,7 @@ private:
   void sending(Kind kind, const ros::Time& stamp, const ros::Time& now);
   void follow(const fourwis_navigation::Tracking& tracking, const ros::Time& stamp);
   void watch_rest(const fourwis_navigation::Tracking& tracking, const ros::Time& stamp);
+  void watch_base(const fourwis_navigation::Tracking& tracking, const ros::Time& stamp);
   DrivePhase phase_after(const fourwis_navigation::Tracking& tracking) const;
   DrivePhase phase_of_ours(const fourwis_navigation::Tracking& tracking) const;
   bool rests(const fourwis_navigation::Tracking& tracking) const;
@@ -74,8 +78,9 @@ private:
   ros::Time stamp_;  ///< of what was sent
   ros::Time due_;    ///< when it should begin
   ros::Time heard_;  ///< when the controller was last heard, or given something to say
-  bool unable_ = false;  ///< whether the base has not let itself be driven since it begun
-  std::string told_;     ///< the controller's last message
+  std::string told_;    ///< the controller's last message
+  bool enabled_ = true;  ///< whether the base lets itself be driven
+  ros::Time disabled_;   ///< when it last did not; zero: never since it was first heard of
   DriveReport report_;
   std::optional<ros::Time> rest_since_;
 };

@@ -15,6 +15,7 @@ namespace fourwis
 class SimulatedRobot
 {
 public:
+  /// Throws ConfigError where it is to publish a clock that nobody follows.
   explicit SimulatedRobot(const BaseSimulatorParameters& parameters);
 
 private:

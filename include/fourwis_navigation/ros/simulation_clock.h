@@ -22,6 +22,7 @@ public:
   /// Whether the next cycle may come; asked only where the clock is published.
   using Ready = std::function<bool(const ros::Time& now)>;
 
+  /// Throws ConfigError where it is to publish a clock that nobody follows.
   SimulationClock(const BaseSimulatorNodeOptions& options, Cycle cycle, Ready ready);
 
 private:
