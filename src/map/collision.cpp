@@ -13,6 +13,10 @@ namespace
 
 /// Shortest stride along a motion where the safety margin is small or zero [m].
 constexpr double kLeastStride = 0.01;
+/// How far around a tight pose less than the safety margin is kept [m].
+constexpr double kTightSpot = 1.0;
+/// So that a pose has the margin that was measured at it [m].
+constexpr double kRounding = 1e-6;
 /// More clearance than this is not asked for [m].
 constexpr double kFarClearance = 1.0;
 
@@ -43,15 +47,29 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
 {
 }
 
-CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, double margin)
+CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight)
   : CollisionChecker(map, robot)
 {
-  needed_ = inscribed_discs(robot, margin);
   snug_ = snug_cover(robot);
-  snug_->radius += margin;
-  stride_ = std::max(kLeastStride, margin);
+  double least = robot.safety_margin;
+  for (const Pose& pose : tight)
+  {
+    const double margin = std::clamp(fourwis::clearance(map, *snug_, pose) - kRounding, 0.0, robot.safety_margin);
+    tight_.push_back({pose.x, pose.y, margin});
+    least = std::min(least, margin);
+  }
+  needed_ = inscribed_discs(robot, least);
+  stride_ = std::max(kLeastStride, least);
   reach_ = std::max(reach_, snug_->reach());
   least_clearance_ = clearance_between_checks(needed_.radius, greatest_disc_curvature(robot, needed_.offset), stride_);
+}
+
+double CollisionChecker::margin_at(double x, double y) const
+{
+  double margin = robot_.safety_margin;
+  for (const TightSpot& spot : tight_)
+    if (std::hypot(x - spot.x, y - spot.y) < kTightSpot) margin = std::min(margin, spot.margin);
+  return margin;
 }
 
 bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
@@ -68,9 +86,9 @@ bool CollisionChecker::is_free(double x, double y, double cosine, double sine, d
 
 bool CollisionChecker::is_snug_free(double x, double y, double cosine, double sine, double& clearance) const
 {
+  const double radius = snug_->radius + margin_at(x, y);
   return std::all_of(snug_->centres.begin(), snug_->centres.end(), [&](const Point2& centre) {
-    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, snug_->radius,
-                         clearance);
+    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, radius, clearance);
   });
 }
 
@@ -83,7 +101,7 @@ bool CollisionChecker::is_free(const Pose& pose) const
 double CollisionChecker::clearance(const Pose& pose) const
 {
   const double two = fourwis::clearance(map_, {{{discs_.offset, 0.0}, {-discs_.offset, 0.0}}, discs_.radius}, pose);
-  return snug_ ? std::max(two, fourwis::clearance(map_, *snug_, pose)) : two;
+  return snug_ ? std::max(two, fourwis::clearance(map_, *snug_, pose) - margin_at(pose.x, pose.y)) : two;
 }
 
 double CollisionChecker::free_length(const PathPiece& piece) const

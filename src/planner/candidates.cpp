@@ -58,16 +58,16 @@ Candidates collect(const std::vector<SearchResult>& results)
 }  // namespace
 
 Candidates find_one(const FrontEnd& front_end, const SearchOptions& options, const ModeSet& modes,
-                    Effort effort, const Interrupt& interrupt, std::vector<Pose>* expanded)
+                    const Interrupt& interrupt, std::vector<Pose>* expanded)
 {
-  return collect({front_end.find(options, modes, effort, interrupt, expanded)});
+  return collect({front_end.find(options, modes, Effort::thorough, interrupt, expanded)});
 }
 
 Candidates find_several(const FrontEnd& front_end, const Robot& robot, const SearchOptions& options,
-                        const ModeSet& modes, Effort effort, const Interrupt& interrupt, std::vector<Pose>* expanded)
+                        const ModeSet& modes, const Interrupt& interrupt, std::vector<Pose>* expanded)
 {
   const ModeSet ackermann{true, false, false};
-  std::vector<Wish> wishes = {{modes, time_costs(robot, options, 0.0), effort}};
+  std::vector<Wish> wishes = {{modes, time_costs(robot, options, 0.0), Effort::thorough}};
   if (modes.ackermann && (modes.lateral || modes.parallel))
     wishes.push_back({ackermann, time_costs(robot, options, 0.0), Effort::quick});
   if (modes.ackermann) wishes.push_back({ackermann, time_costs(robot, options, kSoftened), Effort::quick});

@@ -21,8 +21,6 @@ namespace fourwis
 namespace
 {
 
-/// So that a pose has the margin that was measured at it [m].
-constexpr double kRounding = 1e-6;
 /// Polishing makes trajectories faster by up to about this factor.
 constexpr double kWorthPolishing = 1.01;
 
@@ -35,7 +33,6 @@ struct Task
   const Interrupt& interrupt;
   PlanTrace* trace;
   CollisionChecker checker;
-  Effort effort = Effort::thorough;
 
   double speed() const { return options.search.reference_speed; }
 };
@@ -68,10 +65,9 @@ Candidates find(const Task& task, PlanResult& result)
   std::vector<Pose>* expanded = task.trace ? &task.trace->expanded : nullptr;
   const FrontEnd front_end(task.checker, task.world.robot, request.start, request.goal, task.interrupt);
   Candidates found = request.frontend_only || is_paper(task.options)
-                         ? find_one(front_end, task.options.search, request.modes, task.effort, task.interrupt,
-                                    expanded)
-                         : find_several(front_end, task.world.robot, task.options.search, request.modes, task.effort,
-                                        task.interrupt, expanded);
+                         ? find_one(front_end, task.options.search, request.modes, task.interrupt, expanded)
+                         : find_several(front_end, task.world.robot, task.options.search, request.modes, task.interrupt,
+                                        expanded);
   result.metrics.expansions = found.expansions;
   result.metrics.frontend_ms = ms_since(begin);
   result.status = task.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
@@ -174,24 +170,11 @@ void refine_as_paper(const Task& task, const Path& path, PlanResult& result)
     judge(task.world, task.request, {std::move(refinement.trajectory)}, result);
 }
 
-/// The checker that lets the robot out of places where it has come closer to obstacles than its two discs may.
-CollisionChecker close_checker(const World& world, const PlanRequest& request)
-{
-  const DiscCover snug = snug_cover(world.robot);
-  const double left = std::min(clearance(world.obstacles, snug, request.start), clearance(world.obstacles, snug, request.goal));
-  return {world.obstacles, world.robot, std::clamp(left - kRounding, 0.0, world.robot.safety_margin)};
-}
-
-bool is_in_collision(PlanStatus status)
-{
-  return status == PlanStatus::start_in_collision || status == PlanStatus::goal_in_collision;
-}
-
 /// Whether the two discs may be what is in the way.
 bool is_too_tight(const PlanResult& result)
 {
-  return is_in_collision(result.status) || result.status == PlanStatus::goal_unreachable ||
-         result.status == PlanStatus::no_path;
+  return result.status == PlanStatus::start_in_collision || result.status == PlanStatus::goal_in_collision ||
+         result.status == PlanStatus::goal_unreachable || result.status == PlanStatus::no_path;
 }
 
 PlanResult find_and_refine(const Task& task)
@@ -203,18 +186,6 @@ PlanResult find_and_refine(const Task& task)
     refine_as_paper(task, found.paths.front(), result);
   else
     refine_and_choose(task, found.paths, result);
-  return result;
-}
-
-/// Of a try with two discs that failed, and a closer one.
-PlanResult better(PlanResult first, PlanResult close)
-{
-  const double frontend_ms = first.metrics.frontend_ms + close.metrics.frontend_ms;
-  const int expansions = first.metrics.expansions + close.metrics.expansions;
-  const bool first_says_why = close.status != PlanStatus::succeeded && close.status != PlanStatus::cancelled;
-  PlanResult result = std::move(first_says_why && !is_in_collision(first.status) ? first : close);
-  result.metrics.frontend_ms = frontend_ms;
-  result.metrics.expansions = expansions;
   return result;
 }
 
@@ -286,9 +257,11 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
   PlanResult result = try_to_plan({world, options_, request, watch, trace, {world.obstacles, world.robot}});
   if (is_too_tight(result) && !is_paper(options_))
   {
-    const Effort effort = is_in_collision(result.status) ? Effort::thorough : Effort::quick;
-    result = better(std::move(result),
-                    try_to_plan({world, options_, request, watch, trace, close_checker(world, request), effort}));
+    const PlanMetrics before = result.metrics;
+    const CollisionChecker close(world.obstacles, world.robot, {request.start, request.goal});
+    result = try_to_plan({world, options_, request, watch, trace, close});
+    result.metrics.frontend_ms += before.frontend_ms;
+    result.metrics.expansions += before.expansions;
   }
   result.metrics.map_ms = world.build_ms;
   result.metrics.frontend_ms += world.build_ms;

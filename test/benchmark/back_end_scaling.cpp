@@ -35,7 +35,7 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
   if (!checker.is_free(problem.start) || !checker.is_free(problem.goal)) return sample;
   const SearchOptions& search = setup.options.search;
   const FrontEnd front_end(checker, setup.robot, problem.start, problem.goal, Interrupt());
-  const Candidates found = find_several(front_end, setup.robot, search, setup.modes, Effort::thorough, Interrupt(), nullptr);
+  const Candidates found = find_several(front_end, setup.robot, search, setup.modes, Interrupt(), nullptr);
   if (found.paths.empty()) return sample;
   sample.length = found.paths.front().length();
   for (int run = 0; run < setup.runs; ++run)

@@ -54,7 +54,7 @@ struct Tally
 {
   std::size_t maps = 0, connected = 0, solved = 0, solved_of_connected = 0, refused = 0;
   std::vector<double> medians;  ///< of the problems solved
-  /// Where planner and flood disagree, or the planner could not tell that there is no way.
+  /// Where the planner has no plan although the flood has a way, or could not tell that there is none.
   std::size_t surprises = 0;
   Table surprising{{"map", "start", "goal", "connected", "status", "expansions", "front end ms"}};
 };
@@ -74,7 +74,7 @@ void count(Tally& tally, const Problem& problem, bool connected, const Measureme
   tally.solved_of_connected += solved && connected;
   tally.refused += refused && !connected;
   if (solved) tally.medians.push_back(median(measurement.frontend_ms));
-  if (connected ? solved : refused) return;
+  if (solved || (refused && !connected)) return;
   ++tally.surprises;
   tally.surprising.add({problem.id, text(problem.start), text(problem.goal), connected ? "yes" : "no",
                         to_string(status), std::to_string(measurement.result.metrics.expansions),
@@ -110,8 +110,8 @@ void report_barn(const Report& report, const Setup& setup, const std::string& fo
   if (!export_folder.empty())
     for (const BarnMap& map : maps) write_map_file(map.grid, export_folder + "/" + map.name);
 
-  Table table({"robot m", "maps", "solved", "connected", "solved of connected", "unconnected refused", "p50 ms",
-               "p95 ms", "max ms"});
+  Table table({"robot m", "maps", "solved", "connected", "solved of connected", "solved of the others", "refused of the others",
+               "p50 ms", "p95 ms", "max ms"});
   std::vector<std::pair<std::string, Tally>> tallies;
   for (const Robot& robot : {setup.robot, small_robot()})
   {
@@ -124,6 +124,7 @@ void report_barn(const Report& report, const Setup& setup, const std::string& fo
       write_problems(export_folder + "/problems_" + fixed(robot.length, 2) + ".csv", problems);
     table.add({size, std::to_string(tally.maps), share(tally.solved, tally.maps), share(tally.connected, tally.maps),
                share(tally.solved_of_connected, tally.connected),
+               share(tally.solved - tally.solved_of_connected, tally.maps - tally.connected),
                share(tally.refused, tally.maps - tally.connected), fixed(median(tally.medians), 2),
                fixed(quantile(tally.medians, 0.95), 2), fixed(worst(tally.medians), 2)});
     tallies.emplace_back(size, std::move(tally));
@@ -133,7 +134,7 @@ void report_barn(const Report& report, const Setup& setup, const std::string& fo
   for (const auto& [size, tally] : tallies)
   {
     if (tally.surprises == 0) continue;
-    report.line("Robot " + size + ", neither connected and solved nor unconnected and refused:");
+    report.line("Robot " + size + ", neither solved nor, where not connected, refused as unreachable:");
     report.table(tally.surprising);
   }
 }

@@ -20,7 +20,7 @@ Robot larger(Robot robot, double by)
   return robot;
 }
 
-/// Visits random poses in clutter, with a checker that keeps `margin` where two discs do not fit.
+/// Visits random poses in clutter, with a checker that keeps a margin where two discs do not fit.
 template <typename Visit>
 void for_poses(double margin, Visit visit)
 {
@@ -28,8 +28,10 @@ void for_poses(double margin, Visit visit)
   for (double resolution : {0.02, 0.05, 0.1})
   {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", resolution " + std::to_string(resolution));
-    const Site site(clutter(random, 6.0, resolution, 14, random.pose(10.0)));
-    const CollisionChecker snug(site.map, site.robot, margin);
+    Robot robot;
+    robot.safety_margin = margin;
+    const Site site(clutter(random, 6.0, resolution, 14, random.pose(10.0)), robot);
+    const CollisionChecker snug(site.map, site.robot, std::vector<Pose>());
     for (int k = 0; k < 2000; ++k)
       visit(site, snug, compose(site.grid.origin, {random.between(0.0, 6.0), random.between(0.0, 6.0), random.angle()}));
     if (testing::Test::HasFatalFailure()) return;
@@ -78,6 +80,23 @@ TEST_P(SnugCollision, SaysByHowMuchAPoseIsFree)
   for_poses(GetParam(), [](const Site&, const CollisionChecker& snug, const Pose& pose) {
     ASSERT_EQ(snug.is_free(pose), snug.clearance(pose) >= 0.0) << text(pose);
   });
+}
+
+/// A robot that has come closer to a wall than its margin may go on there, and nowhere else.
+TEST(TightPose, IsFreeAsFarAsTheBodyFitsAndOnlyAroundIt)
+{
+  OccupancyGrid grid = free_area(8.0, 4.0, 0.05);
+  occupy_block(grid, 0, 0, 160, 20);
+  const Site site(grid);
+  const double closest = 1.0 + site.robot.width / 2.0 + kOverhang;
+  for (double left : {-0.002, 0.0005, 0.01, 0.03})
+  {
+    const Pose tight = {2.0, closest + left, 0.0}, far = {5.0, closest + left, 0.0};
+    const CollisionChecker checker(site.map, site.robot, {tight});
+    EXPECT_EQ(checker.is_free(tight), left > 0.0) << left;
+    EXPECT_EQ(checker.is_free(far), left > site.robot.safety_margin) << left;
+    EXPECT_FALSE(checker.is_free(Pose{2.0, tight.y - 0.005, 0.0}) && left < site.robot.safety_margin) << left;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Margins, SnugCollision, testing::Values(0.0, 0.01, 0.02));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/path.h"
@@ -18,8 +19,9 @@ public:
   /// Keeps references: both must outlive the checker.
   CollisionChecker(const ObstacleMap& map, const Robot& robot);
 
-  /// The same, but free is as well where all discs of the snug cover are `margin` [m] away from every obstacle.
-  CollisionChecker(const ObstacleMap& map, const Robot& robot, double margin);
+  /// The same, but free is as well where the snug cover keeps the safety margin or, within a metre of a pose in `tight`, as
+  /// much of it as it has there.
+  CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight);
 
   /// Whether both disc centres are at least r_c away from every obstacle, or the snug cover is clear.
   bool is_free(const Pose& pose) const;
@@ -45,10 +47,18 @@ public:
   /// Two discs whose centres keep `radius` at every pose found free.
   const TwoDiscs& discs() const { return needed_; }
 
-  /// Where there is one; its radius includes the margin.
+  /// Where there is one; without margin.
   const std::optional<DiscCover>& snug() const { return snug_; }
 
 private:
+  /// A place where the snug cover comes closer to obstacles than the safety margin.
+  struct TightSpot
+  {
+    double x, y;
+    double margin;  ///< it keeps there [m]
+  };
+
+  double margin_at(double x, double y) const;
   bool is_free(double x, double y, double cosine, double sine, double& clearance) const;
   bool is_snug_free(double x, double y, double cosine, double sine, double& clearance) const;
 
@@ -56,6 +66,7 @@ private:
   const Robot& robot_;
   TwoDiscs discs_, needed_;
   std::optional<DiscCover> snug_;
+  std::vector<TightSpot> tight_;
   double stride_;
   double reach_;  ///< of the disc centre farthest from C [m]
   double least_clearance_;

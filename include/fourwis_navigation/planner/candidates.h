@@ -21,12 +21,12 @@ struct Candidates
 
 /// One path after the costs as configured: what the paper's front end finds.
 Candidates find_one(const FrontEnd& front_end, const SearchOptions& options, const ModeSet& modes,
-                    Effort effort, const Interrupt& interrupt, std::vector<Pose>* expanded);
+                    const Interrupt& interrupt, std::vector<Pose>* expanded);
 
 /// Paths worth optimising, searched for at the same time. The paper's costs shun steering and reversing, which the optimiser makes
 /// nearly free, and switches are the dearer by comparison; which path is the fastest shows only after the optimisation. So:
 /// the modes asked for and Ackermann motion alone, both after what takes time, and Ackermann motion after softened costs.
 Candidates find_several(const FrontEnd& front_end, const Robot& robot, const SearchOptions& options,
-                        const ModeSet& modes, Effort effort, const Interrupt& interrupt, std::vector<Pose>* expanded);
+                        const ModeSet& modes, const Interrupt& interrupt, std::vector<Pose>* expanded);
 
 }  // namespace fourwis
