@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "disc_places.h"
 #include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/search/goal_distance.h"
 
@@ -29,21 +31,22 @@ inline HeadingSet turned_by_one_bin(HeadingSet set)
   return set << 1 | set >> (kHeadings - 1) | set >> 1 | set << (kHeadings - 1);
 }
 
-/// Which headings may be free in each cell; computed when first asked for.
+/// Which headings may be free in each cell; computed when first asked for. Those that are not can be at no pose in the cell
+/// of a motion found free. It passes from one cell or heading to the next through a pose that belongs to both.
 class FreeHeadings
 {
 public:
-  FreeHeadings(const CollisionChecker& checker, const CoarseCells& cells)
-    : checker_(checker), cells_(cells), known_(cells.count(), 0), free_(cells.count(), 0)
+  /// Goes by the clearance of the disc centres at a cell's centre and, where they are given, the places they may be at.
+  FreeHeadings(const CollisionChecker& checker, const CoarseCells& cells, const DiscPlaces* places = nullptr)
+    : checker_(checker), cells_(cells), places_(places), known_(cells.count(), 0), free_(cells.count(), 0)
   {
-    const TwoDiscs& discs = checker.discs();
-    // A pose of the cell differs from the one at its centre by half a diagonal and half a bin at most.
-    radius_ = discs.radius - M_SQRT1_2 * cells.size() - discs.offset * kBin / 2.0;
-    for (std::size_t k = 0; k < ring_.size(); ++k)
+    const double clearance = checker.least_clearance();
+    for (std::size_t k = 0; k < kHeadings; ++k)
     {
-      const double angle = (static_cast<double>(k) + 0.5) * kBin;
-      ring_[k] = {discs.offset * std::cos(angle), discs.offset * std::sin(angle), 0.0};
+      ring_[k] = around((static_cast<double>(k) + 0.5) * kBin);
+      radii_[k] = clearance - std::hypot(ring_[k].reach_x, ring_[k].reach_y);
     }
+    open_radius_ = checker.discs().offset + (places ? clearance : *std::max_element(radii_.begin(), radii_.end()));
   }
 
   HeadingSet operator[](int cell)
@@ -58,22 +61,48 @@ public:
   }
 
 private:
+  /// Where a disc centre is while C is in a cell and the heading in a bin.
+  struct Spot
+  {
+    double x, y;              ///< at the centres of both, relative to C [m]
+    double reach_x, reach_y;  ///< and how far from there it may be along the map's axes [m]
+  };
+
+  Spot around(double heading) const
+  {
+    const double offset = checker_.discs().offset, half = cells_.size() / 2.0;
+    const double on_map = heading - checker_.map().origin().theta;
+    const double c = std::abs(std::cos(on_map)), s = std::abs(std::sin(on_map));
+    const double across = offset * std::sin(kBin / 2.0), along = offset * (1.0 - std::cos(kBin / 2.0));
+    return {offset * std::cos(heading), offset * std::sin(heading), half + s * across + c * along,
+            half + c * across + s * along};
+  }
+
   HeadingSet compute(const Pose& centre) const
   {
-    const ObstacleMap& map = checker_.map();
-    if (map.is_clear(centre.x, centre.y, radius_ + checker_.discs().offset)) return kAllHeadings;
+    if (checker_.map().is_clear(centre.x, centre.y, open_radius_)) return kAllHeadings;
     HeadingSet free = 0;
     for (std::size_t k = 0; k < kHeadings; ++k)
-      if (map.is_clear(centre.x + ring_[k].x, centre.y + ring_[k].y, radius_) &&
-          map.is_clear(centre.x - ring_[k].x, centre.y - ring_[k].y, radius_))
+      if (may_hold_disc(centre.x + ring_[k].x, centre.y + ring_[k].y, k) &&
+          may_hold_disc(centre.x - ring_[k].x, centre.y - ring_[k].y, k))
         free |= HeadingSet{1} << k;
     return free;
   }
 
+  /// Whether a disc centre that is here at the centre of cell and bin may be clear somewhere in them.
+  bool may_hold_disc(double x, double y, std::size_t heading) const
+  {
+    const Spot& spot = ring_[heading];
+    return checker_.map().is_clear(x, y, radii_[heading]) &&
+           (!places_ || places_->any_near(x, y, spot.reach_x, spot.reach_y));
+  }
+
   const CollisionChecker& checker_;
   const CoarseCells& cells_;
-  double radius_;
-  std::array<Pose, kHeadings> ring_;  ///< front disc centres at each heading, relative to C
+  const DiscPlaces* places_;
+  std::array<Spot, kHeadings> ring_;     ///< of the front disc; the rear one is opposite
+  std::array<double, kHeadings> radii_;  ///< clearance of the spots if a disc is clear anywhere around them [m]
+  double open_radius_;                   ///< clearance of C with which all headings are free [m]
   std::vector<std::uint8_t> known_;
   std::vector<HeadingSet> free_;
 };

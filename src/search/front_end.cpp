@@ -21,6 +21,8 @@ constexpr double kFloodCell = 0.05;
 constexpr double kMostFloodCells = 1e6;
 /// The quick search gets this many expansions before the thorough one takes over.
 constexpr int kQuickExpansions = 2000;
+/// How often the thorough search halves step and cell, each time it has seen everything at the resolution before.
+constexpr int kMostHalvings = 4;
 
 /// A pass of shortcuts that gains less than this share of the cost is the last.
 constexpr double kLeastShortcutGain = 0.01;
@@ -77,7 +79,8 @@ FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Po
   : checker_(checker), robot_(robot), start_(start), goal_(goal),
     distance_(checker, start, goal, kFieldSlack, interrupt),
     may_be_reachable_(distance_.reaches_start() &&
-                      may_be_reachable(checker, distance_, start, goal, flood_cell(checker.map()), interrupt))
+                      may_be_reachable(checker, distance_, start, goal, flood_cell(checker.map()), Proof::quick,
+                                       interrupt))
 {
 }
 
@@ -106,19 +109,36 @@ SearchResult FrontEnd::find(const SearchOptions& options, const ModeSet& modes, 
   return found;
 }
 
+/// A sharper proof than before the quick search; where it finds none, what guides the thorough search.
+void FrontEnd::look_closer(const Interrupt& interrupt) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (proven_unreachable_ || holonomic_distance_) return;
+  const double cell = flood_cell(checker_.map());
+  proven_unreachable_ = !may_be_reachable(checker_, distance_, start_, goal_, cell, Proof::sharp, interrupt);
+  if (!proven_unreachable_)
+    holonomic_distance_ =
+      std::make_unique<HolonomicDistance>(checker_, start_, goal_, cell, kFieldSlack, interrupt);
+}
+
 SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanRequest& request,
                                        const Interrupt& interrupt, std::vector<Pose>* expanded) const
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!holonomic_distance_)
-      holonomic_distance_ = std::make_unique<HolonomicDistance>(checker_, start_, goal_, flood_cell(checker_.map()),
-                                                                kFieldSlack, interrupt);
-  }
+  look_closer(interrupt);
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
-  return hybrid_astar(checker_, robot_, finer(options), request, std::cref(*holonomic_distance_), interrupt, expanded);
+  if (proven_unreachable_ || !holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
+  SearchOptions halved = options;
+  SearchResult found = failed(PlanStatus::no_path);
+  for (int k = 0; k < kMostHalvings && found.status == PlanStatus::no_path && halved.max_expansions > 0; ++k)
+  {
+    halved = finer(halved);
+    const int before = found.expansions;
+    found = hybrid_astar(checker_, robot_, halved, request, std::cref(*holonomic_distance_), interrupt, expanded);
+    halved.max_expansions -= found.expansions;
+    found.expansions += before;
+  }
+  return found;
 }
 
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,

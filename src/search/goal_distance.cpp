@@ -43,10 +43,11 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Least clearance C can have where the robot fits at some heading: both disc centres r_c from one point.
-double least_clearance(const TwoDiscs& discs)
+/// Least clearance C can have where the robot fits at some heading: both disc centres as close to one point as they get.
+double least_clearance(const CollisionChecker& checker)
 {
-  return std::sqrt(std::max(0.0, discs.radius * discs.radius - discs.offset * discs.offset));
+  const double disc = checker.least_clearance(), offset = checker.discs().offset;
+  return std::sqrt(std::max(0.0, disc * disc - offset * offset));
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ bool GoalDistance::is_passable(const CollisionChecker& checker, int cell) const
 {
   // No point of the cell is further from the obstacles than its centre by more than half its diagonal.
   const Pose centre = cells_.centre(cell);
-  return checker.map().is_clear(centre.x, centre.y, least_clearance(checker.discs()) - M_SQRT1_2 * cells_.size());
+  return checker.map().is_clear(centre.x, centre.y, least_clearance(checker) - M_SQRT1_2 * cells_.size());
 }
 
 GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack,

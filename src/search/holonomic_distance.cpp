@@ -62,6 +62,7 @@ HolonomicDistance::HolonomicDistance(const CollisionChecker& checker, const Pose
       last_step = std::min(last_step, step + static_cast<int>(slack / cell_size));
     }
   }
+  reaches_start_ = reaches_start_ || !next.empty();  // a field that ended early proves nothing
 }
 
 std::size_t HolonomicDistance::state(int cell, int heading) const

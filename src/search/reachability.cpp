@@ -1,6 +1,7 @@
 #include "fourwis_navigation/search/reachability.h"
 
 #include <functional>
+#include <optional>
 #include <queue>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace
 {
 
 constexpr int kInterruptInterval = 128;    ///< cells flooded between two looks at the interrupt
+constexpr double kSquaresPerCell = 4.0;    ///< along a cell's side, squares told apart as places for the discs
+
+bool is_over(const Interrupt& interrupt)
+{
+  return interrupt.cancelled() || interrupt.timed_out();
+}
 
 /// One of the two floods; visits cells of least `guide` first.
 class Flood
@@ -62,10 +69,13 @@ private:
 }  // namespace
 
 bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
-                      const Pose& goal, double cell_size, const Interrupt& interrupt)
+                      const Pose& goal, double cell_size, Proof proof, const Interrupt& interrupt)
 {
   const CoarseCells cells(checker.map(), cell_size);
-  FreeHeadings free(checker, cells);
+  std::optional<DiscPlaces> places;
+  if (proof == Proof::sharp)
+    places.emplace(checker.map(), checker.least_clearance(), cell_size / kSquaresPerCell, interrupt);
+  FreeHeadings free(checker, cells, places ? &*places : nullptr);
   Flood from_start(free, cells, [&](int cell) {
     const Pose centre = cells.centre(cell);
     return distance(centre.x, centre.y);
@@ -78,9 +88,10 @@ bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& dista
     const int a = from_start.step(), b = from_goal.step();
     if (from_start.reached(a) & from_goal.reached(a)) return true;
     if (from_start.reached(b) & from_goal.reached(b)) return true;
-    if (steps % kInterruptInterval == 0 && (interrupt.cancelled() || interrupt.timed_out())) return true;
+    if (steps % kInterruptInterval == 0 && is_over(interrupt)) return true;
   }
-  return false;
+  return is_over(interrupt);  // then the places are not to be relied on
+
 }
 
 }  // namespace fourwis

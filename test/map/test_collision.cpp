@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "../support/drive.h"
 #include "../support/grids.h"
 #include "../support/rectangle.h"
@@ -145,6 +147,35 @@ TEST_P(FreeLength, CanBeDrivenWithoutTheRectangleTouchingAnything)
       ASSERT_FALSE(rectangle.collides(pose)) << free * k / steps << " m on, at " << text(pose);
     }
   });
+}
+
+/// Clearance of the two disc centres [m].
+double disc_clearance(const Site& site, const Pose& pose)
+{
+  const double offset = site.checker.discs().offset;
+  const Pose front = compose(pose, {offset, 0.0, 0.0}), rear = compose(pose, {-offset, 0.0, 0.0});
+  return std::min(site.map.distance(front.x, front.y), site.map.distance(rear.x, rear.y));
+}
+
+TEST_P(FreeLength, KeepsTheLeastClearanceBetweenTheChecksAndNotMuchMore)
+{
+  double least = std::numeric_limits<double>::infinity(), promised = 0.0, radius = 0.0;
+  for_sites(GetParam(), [&](const Site& site, Random& random) {
+    promised = site.checker.least_clearance(), radius = site.checker.discs().radius;
+    for (int k = 0; k < 400; ++k)
+    {
+      const Mode mode = kPlannedModes[static_cast<std::size_t>(k) % 3];
+      const Pose free = free_pose(random, site.checker);
+      const PathPiece piece = {mode, slid_towards(site.checker, free, compose(free, random.pose(1.0))),
+                               random.steering(site.robot, mode), random.between(-3.0, 3.0)};
+      const Arc arc(site.robot, piece.start, mode, piece.phi);
+      const double length = site.checker.free_length(piece);
+      for (double s = 0.0; s < length; s += 0.001)
+        least = std::min(least, disc_clearance(site, arc.pose(std::copysign(s, piece.length))));
+    }
+  });
+  EXPECT_GE(least, promised - 1e-9);
+  EXPECT_LT(least, radius - 0.1 * (radius - promised));
 }
 
 TEST_P(FreeLength, EndsAtAFreePose)

@@ -123,19 +123,19 @@ TEST_F(FrontEnd, ShowsEveryPoseItExpands)
   EXPECT_GT(most, 10);
 }
 
-/// A goal behind a door that the proofs take for wide enough and that is not.
+/// A goal to which one could slide, for a car: a slot of 1.4 m for 1 m of robot.
 struct LongSearch : FrontEnd
 {
   static OccupancyGrid hall()
   {
-    OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
-    occupy_block(grid, 90, 0, 1, 120);
-    for (int row = 52; row < 68; ++row) cell(grid, 90, row) = 0;  // 0.80 m; the two discs need 0.84 m
+    OccupancyGrid grid = free_area(8.0, 6.0, 0.05);
+    occupy_block(grid, 0, 80, 66, 40);
+    occupy_block(grid, 94, 80, 66, 40);
     return grid;
   }
 
   const Site site{hall()};
-  const PlanRequest request = {{2.0, 3.0, 0.0}, {7.0, 3.0, 0.0}, {}};
+  const PlanRequest request = {{1.5, 2.0, 0.0}, {4.0, 5.0, 0.0}, {true, false, false}};
 };
 
 TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
@@ -200,6 +200,17 @@ TEST_F(FrontEnd, ProvesThatAWalledInGoalIsOutOfReach)
   }
 }
 
+TEST_F(FrontEnd, ProvesThatAGoalIsBehindADoorThatLacksCentimetresWhereTheQuickSearchFails)
+{
+  OccupancyGrid grid = free_area(9.0, 6.0, 0.05);
+  occupy_block(grid, 90, 0, 1, 120);
+  for (int row = 52; row < 68; ++row) cell(grid, 90, row) = 0;  // 0.80 m; the two discs need 0.84 m
+  options.max_expansions = 100000;
+  const SearchResult result = find(Site(grid), {{2.0, 3.0, 0.0}, {7.0, 3.0, 0.0}, {}});
+  EXPECT_EQ(result.status, PlanStatus::goal_unreachable);
+  EXPECT_LE(result.expansions, 2000);
+}
+
 TEST_F(FrontEnd, RefusesToTurnTheRobotByParallelMotionAlone)
 {
   const Site site(free_area(9.0, 9.0, 0.1));
@@ -219,6 +230,16 @@ TEST_F(FrontEnd, SlidesSidewaysIntoASlotThatACarCanHardlyEnter)
   expect_valid(site, request, found.path);
   const SearchResult car = find(site, {request.start, request.goal, {true, false, false}});
   EXPECT_TRUE(car.status != PlanStatus::succeeded || car.path.cost > 2.0 * found.path.cost) << text(car.path);
+}
+
+TEST_F(FrontEnd, TurnsACarBetweenWallsThatLeaveItAFewCentimetres)
+{
+  const Site site(free_area(8.0, 1.45, 0.05));  // the two discs of a robot across take 1.34 m
+  const PlanRequest request = {{4.0, 0.725, M_PI_2}, {1.5, 0.725, 0.0}, {true, false, false}};
+  options.max_expansions = 20000;
+  const SearchResult found = find(site, request);
+  ASSERT_EQ(found.status, PlanStatus::succeeded);
+  expect_valid(site, request, found.path);
 }
 
 /// The paper's Table III: with and without terminal connection and switching awareness.

@@ -16,16 +16,17 @@ constexpr unsigned kSeed = 10;
 constexpr double kCell = 0.05;   ///< [m]
 constexpr double kSlack = 4.0;   ///< [m]
 
-/// The three proofs; each may be wrong only by not finding out that there is no way.
+/// The proofs; each may be wrong only by not finding out that there is no way.
 struct Proofs
 {
-  bool by_distance, by_flood, by_holonomic_distance;
+  bool by_distance, by_flood, by_places, by_holonomic_distance;
 };
 
 Proofs proofs(const Site& site, const Pose& start, const Pose& goal, double cell = kCell)
 {
   const GoalDistance distance(site.checker, start, goal, kSlack, {});
-  return {distance.reaches_start(), may_be_reachable(site.checker, distance, start, goal, cell, {}),
+  return {distance.reaches_start(), may_be_reachable(site.checker, distance, start, goal, cell, Proof::quick, {}),
+          may_be_reachable(site.checker, distance, start, goal, cell, Proof::sharp, {}),
           HolonomicDistance(site.checker, start, goal, cell, kSlack, {}).reaches_start()};
 }
 
@@ -34,6 +35,7 @@ void expect_maybe(const Site& site, const Pose& start, const Pose& goal, double 
   const Proofs found = proofs(site, start, goal, cell);
   EXPECT_TRUE(found.by_distance) << text(start) << " to " << text(goal);
   EXPECT_TRUE(found.by_flood) << text(start) << " to " << text(goal);
+  EXPECT_TRUE(found.by_places) << text(start) << " to " << text(goal);
   EXPECT_TRUE(found.by_holonomic_distance) << text(start) << " to " << text(goal);
 }
 
@@ -41,6 +43,7 @@ void expect_refused(const Site& site, const Pose& start, const Pose& goal)
 {
   const Proofs found = proofs(site, start, goal);
   EXPECT_FALSE(found.by_flood) << text(start) << " to " << text(goal);
+  EXPECT_FALSE(found.by_places) << text(start) << " to " << text(goal);
   EXPECT_FALSE(found.by_holonomic_distance) << text(start) << " to " << text(goal);
 }
 
@@ -166,6 +169,16 @@ TEST_P(Room, WithADoorWideEnoughForTheRobotAtNoHeadingIsProvenClosedByTheFloods)
   expect_refused(site, outside, inside);
 }
 
+TEST_P(Room, WithADoorThatLacksCentimetresIsProvenClosedByThePlacesForTheDiscs)
+{
+  open_door(0.8);
+  const Site site(grid);
+  EXPECT_GT(2.0 * site.checker.discs().radius, 0.83) << "what the two discs need";
+  EXPECT_TRUE(proofs(site, outside, inside).by_flood);
+  EXPECT_FALSE(proofs(site, outside, inside).by_places);
+  EXPECT_FALSE(proofs(site, inside, outside).by_places);
+}
+
 TEST_P(Room, WithAWideDoorIsNot)
 {
   open_door(1.2);
@@ -185,8 +198,14 @@ TEST(AProofOfUnreachability, IsNotGivenWhenInterrupted)
   const Pose start = {1.0, 6.0, 0.0}, goal = {29.0, 6.0, 0.0};
   const GoalDistance distance(site.checker, start, goal, kSlack, {});
   const std::atomic<bool> cancelled{true};
-  EXPECT_TRUE(may_be_reachable(site.checker, distance, start, goal, kCell, Interrupt(&cancelled)));
-  EXPECT_FALSE(may_be_reachable(site.checker, distance, start, goal, kCell, {}));
+  const Interrupt at_once(&cancelled);
+  for (Proof proof : {Proof::quick, Proof::sharp})
+  {
+    EXPECT_TRUE(may_be_reachable(site.checker, distance, start, goal, kCell, proof, at_once));
+    EXPECT_FALSE(may_be_reachable(site.checker, distance, start, goal, kCell, proof, {}));
+  }
+  EXPECT_TRUE(HolonomicDistance(site.checker, start, goal, kCell, kSlack, at_once).reaches_start());
+  EXPECT_FALSE(HolonomicDistance(site.checker, start, goal, kCell, kSlack, {}).reaches_start());
 }
 
 TEST(HolonomicDistance, IsNothingAtTheGoalAndAboutTheStraightLineInTheOpen)

@@ -26,6 +26,11 @@ public:
   bool is_free(const PathPiece& piece) const { return free_length(piece) >= std::abs(piece.length); }
 
   double stride() const { return stride_; }
+
+  /// What the disc centres keep from every obstacle all along a motion found free [m]: r_c less what they may come closer
+  /// between two checks.
+  double least_clearance() const { return least_clearance_; }
+
   const ObstacleMap& map() const { return map_; }
   const TwoDiscs& discs() const { return discs_; }
 
@@ -36,6 +41,7 @@ private:
   const Robot& robot_;
   TwoDiscs discs_;
   double stride_;
+  double least_clearance_;
 };
 
 }  // namespace fourwis

@@ -32,6 +32,7 @@ public:
                     std::vector<Pose>* expanded = nullptr) const;
 
 private:
+  void look_closer(const Interrupt& interrupt) const;
   SearchResult find_thoroughly(const SearchOptions& options, const PlanRequest& request, const Interrupt& interrupt,
                                std::vector<Pose>* expanded) const;
 
@@ -40,7 +41,8 @@ private:
   const Pose start_, goal_;
   const GoalDistance distance_;
   const bool may_be_reachable_;
-  mutable std::mutex mutex_;  ///< guards holonomic_distance_, which is made when first needed
+  mutable std::mutex mutex_;  ///< guards what follows, which is found out when first needed
+  mutable bool proven_unreachable_ = false;
   mutable std::unique_ptr<const HolonomicDistance> holonomic_distance_;
 };
 
