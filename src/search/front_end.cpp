@@ -21,6 +21,8 @@ constexpr double kFloodCell = 0.05;
 constexpr double kMostFloodCells = 1e6;
 /// The quick search gets this many expansions before the thorough one takes over.
 constexpr int kQuickExpansions = 2000;
+/// How often the thorough search halves step and cell, each time it has seen everything at the resolution before.
+constexpr int kMostHalvings = 4;
 
 /// A pass of shortcuts that gains less than this share of the cost is the last.
 constexpr double kLeastShortcutGain = 0.01;
@@ -126,7 +128,17 @@ SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanR
   if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (interrupt.timed_out()) return failed(PlanStatus::timeout);
   if (proven_unreachable_ || !holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
-  return hybrid_astar(checker_, robot_, finer(options), request, std::cref(*holonomic_distance_), interrupt, expanded);
+  SearchOptions halved = options;
+  SearchResult found = failed(PlanStatus::no_path);
+  for (int k = 0; k < kMostHalvings && found.status == PlanStatus::no_path && halved.max_expansions > 0; ++k)
+  {
+    halved = finer(halved);
+    const int before = found.expansions;
+    found = hybrid_astar(checker_, robot_, halved, request, std::cref(*holonomic_distance_), interrupt, expanded);
+    halved.max_expansions -= found.expansions;
+    found.expansions += before;
+  }
+  return found;
 }
 
 SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,

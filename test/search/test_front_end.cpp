@@ -232,6 +232,16 @@ TEST_F(FrontEnd, SlidesSidewaysIntoASlotThatACarCanHardlyEnter)
   EXPECT_TRUE(car.status != PlanStatus::succeeded || car.path.cost > 2.0 * found.path.cost) << text(car.path);
 }
 
+TEST_F(FrontEnd, TurnsACarBetweenWallsThatLeaveItAFewCentimetres)
+{
+  const Site site(free_area(8.0, 1.45, 0.05));  // the two discs of a robot across take 1.34 m
+  const PlanRequest request = {{4.0, 0.725, M_PI_2}, {1.5, 0.725, 0.0}, {true, false, false}};
+  options.max_expansions = 20000;
+  const SearchResult found = find(site, request);
+  ASSERT_EQ(found.status, PlanStatus::succeeded);
+  expect_valid(site, request, found.path);
+}
+
 /// The paper's Table III: with and without terminal connection and switching awareness.
 TEST_F(FrontEnd, FindsValidPathsInAllVariantsOfTheAblation)
 {
