@@ -72,7 +72,11 @@ bool Interlock::is_waiting() const
 
 void Interlock::advance()
 {
-  if (stage_ == Stage::coming_to_rest && at_standstill()) stage_ = Stage::aligning;
+  if (stage_ == Stage::coming_to_rest && at_standstill())
+  {
+    stage_ = Stage::aligning;
+    waiting_ = 0.0;
+  }
   if (stage_ == Stage::aligning && aligned()) stage_ = Stage::released;
   if (is_waiting() && waiting_ > options_.alignment_timeout) stage_ = Stage::failed;
 }

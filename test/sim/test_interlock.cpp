@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fourwis_navigation/can/bridge_options.h"
+
 namespace fourwis
 {
 namespace
@@ -90,10 +92,10 @@ TEST_F(InterlockOfWheels, StaysReleasedWithinAMode)
   interlock.want(Mode::parallel, all(0.0));
   pass(0.1, 0.0, 0.0);
   ASSERT_TRUE(interlock.may_drive());
-  interlock.want(Mode::parallel, all(0.5));
+  interlock.want(Mode::parallel, all(0.3));
   EXPECT_TRUE(interlock.may_drive());
   EXPECT_FALSE(interlock.aligned()) << "with an angle far from the wheels no wheel is near it any more";
-  pass(0.1, 0.5, 1.0);
+  pass(0.1, 0.3, 1.0);
   EXPECT_TRUE(interlock.aligned());
 }
 
@@ -103,9 +105,9 @@ TEST_F(InterlockOfWheels, TreatsAJumpOfAnAngleAsAnotherMode)
   interlock.want(Mode::parallel, all(0.0));
   pass(0.1, 0.0, 0.0);
   pass(0.1, 0.0, 1.0);
-  interlock.want(Mode::parallel, all(29.0 * kDegree));
+  interlock.want(Mode::parallel, all(19.0 * kDegree));
   EXPECT_TRUE(interlock.may_drive());
-  interlock.want(Mode::parallel, {29.0 * kDegree, 29.0 * kDegree, 60.0 * kDegree, 29.0 * kDegree});
+  interlock.want(Mode::parallel, {19.0 * kDegree, 19.0 * kDegree, 40.0 * kDegree, 19.0 * kDegree});
   EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
 }
 
@@ -132,7 +134,7 @@ TEST_F(InterlockOfWheels, FailsWhenTheyDoNotAlignAndSaysSoUntilReset)
 {
   pass(0.2, 0.0, 0.0);
   interlock.want(Mode::lateral, all(1.5));
-  pass(4.99, 0.0, 0.0);
+  pass(2.99, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::aligning);
   pass(0.02, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::failed);
@@ -149,8 +151,30 @@ TEST_F(InterlockOfWheels, FailsWhenTheyDoNotAlignAndSaysSoUntilReset)
 TEST_F(InterlockOfWheels, FailsWhenTheyDoNotComeToRest)
 {
   interlock.want(Mode::lateral, all(0.0));
-  pass(5.1, 0.0, 0.3);
+  pass(3.1, 0.0, 0.3);
   EXPECT_EQ(interlock.stage(), Stage::failed);
+}
+
+TEST_F(InterlockOfWheels, GivesThemTheTimeToAlignAfterThatToComeToRest)
+{
+  interlock.want(Mode::lateral, all(1.5));
+  pass(2.8, 0.0, 0.3);
+  pass(2.8, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::aligning);
+  pass(0.4, 0.0, 0.0);
+  EXPECT_EQ(interlock.stage(), Stage::failed);
+}
+
+TEST(InterlockOptions, AreThoseOfTheBridge)
+{
+  const InterlockOptions options;
+  const can::BridgeOptions bridge;
+  EXPECT_EQ(options.standstill_speed, bridge.standstill_speed);
+  EXPECT_EQ(options.standstill_time, bridge.standstill_time);
+  EXPECT_EQ(options.aligned_angle, bridge.aligned_tolerance);
+  EXPECT_EQ(options.aligned_time, bridge.aligned_time);
+  EXPECT_EQ(options.alignment_timeout, bridge.stop_timeout);
+  EXPECT_EQ(options.alignment_timeout, bridge.alignment_timeout);
 }
 
 TEST_F(InterlockOfWheels, RefusesOptionsThatMakeNoSense)

@@ -29,15 +29,15 @@ struct EncoderOptions
   double speed_noise = 0.0;                      ///< standard deviation [m/s]
 };
 
-/// When wheels may turn and drive after a change of mode.
+/// When wheels may turn and drive after a change of mode. The defaults are the bridge's.
 struct InterlockOptions
 {
-  double largest_jump = M_PI * 30.0 / 180.0;  ///< of a commanded angle; beyond it is treated as another mode [rad]
+  double largest_jump = M_PI * 20.0 / 180.0;  ///< of a commanded angle; beyond it is treated as another mode [rad]
   double standstill_speed = 0.005;           ///< every wheel is slower at standstill [m/s]
   double standstill_time = 0.1;              ///< for so long [s]
   double aligned_angle = M_PI * 2.0 / 180.0;  ///< every wheel is nearer to its angle when aligned [rad]
   double aligned_time = 0.05;                ///< for so long [s]
-  double alignment_timeout = 5.0;            ///< from the wish for another mode, then it is a fault [s]
+  double alignment_timeout = 3.0;            ///< to come to rest, and again to be aligned; then it is a fault [s]
 };
 
 /// The simulated base; the keys of config/simulator.yaml.
