@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
 
@@ -20,22 +19,20 @@ constexpr double kRounding = 1e-6;
 /// More clearance than this is not asked for [m].
 constexpr double kFarClearance = 1.0;
 
-/// Greatest curvature of a disc centre's path in any mode [1/m]; infinite where the robot may turn about the centre.
-double greatest_disc_curvature(const Robot& robot, double offset)
+/// What is left of the clearance r = `radius` of a disc centre between two poses at which it has that much. C turns about a
+/// point R = `turning_radius` or more away, the disc centre about the same point q <= R + o away, and it moves
+/// s q / (R + o) at most: strides are measured on the disc farther out. Along a path of curvature 1 / q the square of the
+/// distance f to an obstacle has the second derivative 2 (1 + f / q) at most. Where f is r at both ends and less between
+/// them, f^2 is therefore no less than r^2 - (1 + r / q) (s q / (R + o))^2 / 4 >= r^2 - (1 + r / (R + o)) s^2 / 4.
+double clearance_between_checks(double radius, double offset, double turning_radius, double stride)
 {
-  // In Ackermann motion C's path is beside both discs' and bends more; in lateral motion they lie in line with the turning centre.
-  const double ackermann = max_curvature(robot, Mode::ackermann), lateral = max_curvature(robot, Mode::lateral);
-  const double from_centre = 1.0 / lateral - offset;
-  return from_centre > 0.0 ? std::max(ackermann, 1.0 / from_centre) : std::numeric_limits<double>::infinity();
+  const double squared = radius * radius - (1.0 + radius / (turning_radius + offset)) * stride * stride / 4.0;
+  return std::max(radius - stride / 2.0, std::sqrt(std::max(0.0, squared)));
 }
 
-/// Along a path of curvature up to k, the square of the distance f to a point has the second derivative 2 (1 + k f) at
-/// most. Where it is r at both ends and less between them, it is therefore at least r^2 - (1 + k r) s^2 / 4 if the ends
-/// are s apart, and r - s / 2 whatever the curvature.
-double clearance_between_checks(double radius, double curvature, double stride)
+double least_turning_radius(const Robot& robot)
 {
-  const double squared = radius * radius - (1.0 + curvature * radius) * stride * stride / 4.0;
-  return std::max(radius - stride / 2.0, std::sqrt(std::max(0.0, squared)));
+  return 1.0 / std::max(max_curvature(robot, Mode::ackermann), max_curvature(robot, Mode::lateral));
 }
 
 }  // namespace
@@ -43,7 +40,7 @@ double clearance_between_checks(double radius, double curvature, double stride)
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
   : map_(map), robot_(robot), discs_(two_discs(robot)), needed_(discs_),
     stride_(std::max(kLeastStride, robot.safety_margin)), reach_(discs_.offset),
-    least_clearance_(clearance_between_checks(discs_.radius, greatest_disc_curvature(robot, discs_.offset), stride_))
+    least_clearance_(clearance_between_checks(discs_.radius, discs_.offset, least_turning_radius(robot), stride_))
 {
 }
 
@@ -61,7 +58,7 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, c
   needed_ = inscribed_discs(robot, least);
   stride_ = std::max(kLeastStride, least);
   reach_ = std::max(reach_, snug_->reach());
-  least_clearance_ = clearance_between_checks(needed_.radius, greatest_disc_curvature(robot, needed_.offset), stride_);
+  least_clearance_ = clearance_between_checks(needed_.radius, needed_.offset, least_turning_radius(robot), stride_);
 }
 
 double CollisionChecker::margin_at(double x, double y) const

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "disc_places.h"
@@ -25,10 +26,26 @@ inline int heading_bin(double theta)
   return static_cast<int>((half_turns - std::floor(half_turns)) * kHeadings) % kHeadings;
 }
 
-/// The headings next to those of a set.
-inline HeadingSet turned_by_one_bin(HeadingSet set)
+/// Headings of a whole turn, the second half of which are those of the first seen from behind.
+using WholeTurnSet = std::uint64_t;
+
+inline WholeTurnSet from_both_sides(HeadingSet set)
 {
-  return set << 1 | set >> (kHeadings - 1) | set >> 1 | set << (kHeadings - 1);
+  return WholeTurnSet{set} << kHeadings | set;
+}
+
+inline int whole_turn_bin(double theta)
+{
+  const double turns = theta / (2.0 * M_PI);
+  return static_cast<int>((turns - std::floor(turns)) * 2 * kHeadings) % (2 * kHeadings);
+}
+
+/// The headings next to those of a set.
+template <typename Set>
+Set turned_by_one_bin(Set set)
+{
+  constexpr int last = std::numeric_limits<Set>::digits - 1;
+  return set << 1 | set >> last | set >> 1 | set << last;
 }
 
 /// Which headings may be free in each cell; computed when first asked for. Those that are not can be at no pose in the cell

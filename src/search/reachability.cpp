@@ -31,38 +31,38 @@ public:
 
   void begin(const Pose& pose)
   {
-    const HeadingSet here = HeadingSet{1} << heading_bin(pose.theta);
+    const WholeTurnSet here = WholeTurnSet{1} << whole_turn_bin(pose.theta);
     reach(cells_.index(pose.x, pose.y), here | turned_by_one_bin(here));
   }
 
   bool exhausted() const { return queue_.empty(); }
-  HeadingSet reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
+  WholeTurnSet reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
 
   /// Floods on from one cell; returns it.
   int step()
   {
     const int here = queue_.top().second;
     queue_.pop();
-    const HeadingSet set = reached(here);
-    cells_.for_neighbours(here, [&](int next, bool) { reach(next, set & free_[next]); });
+    const WholeTurnSet set = reached(here);
+    cells_.for_neighbours(here, [&](int next, bool) { reach(next, set & from_both_sides(free_[next])); });
     return here;
   }
 
 private:
   /// Adds headings to a cell, and those the robot can turn to from them.
-  void reach(int cell, HeadingSet set)
+  void reach(int cell, WholeTurnSet set)
   {
-    HeadingSet& known = reached_[static_cast<std::size_t>(cell)];
+    WholeTurnSet& known = reached_[static_cast<std::size_t>(cell)];
     if ((set & ~known) == 0) return;
-    const HeadingSet free = free_[cell];
-    for (HeadingSet next = known | set; next != known; next |= turned_by_one_bin(next) & free) known = next;
+    const WholeTurnSet free = from_both_sides(free_[cell]);
+    for (WholeTurnSet next = known | set; next != known; next |= turned_by_one_bin(next) & free) known = next;
     queue_.push({guide_(cell), cell});
   }
 
   FreeHeadings& free_;
   const CoarseCells& cells_;
   std::function<double(int)> guide_;
-  std::vector<HeadingSet> reached_;
+  std::vector<WholeTurnSet> reached_;
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue_;
 };
 

@@ -189,6 +189,32 @@ TEST_P(Room, WithAWideDoorIsNot)
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, Room, testing::Values(0.02, 0.05, 0.1));
 
+/// A corridor in which the robot cannot turn, and in its middle, if wanted, a bay in which it can.
+OccupancyGrid corridor(bool with_bay)
+{
+  OccupancyGrid grid = free_area(10.0, 3.0, 0.05);
+  occupy_block(grid, 0, 20, 200, 40);
+  if (with_bay)
+    for (int row = 20; row < 50; ++row)
+      for (int column = 90; column < 120; ++column) cell(grid, column, row) = 0;
+  return grid;
+}
+
+TEST(AProofOfUnreachability, IsGivenWhereTheRobotHasToTurnAndCannot)
+{
+  const Site narrow(corridor(false)), with_bay(corridor(true));
+  for (double turn : {0.05, 1.0, -1.0, -0.05})
+  {
+    const Pose start = {2.0, 0.5, turn * M_PI}, same = {8.0, 0.5, turn * M_PI}, other = {8.0, 0.5, (1.0 + turn) * M_PI};
+    if (!narrow.checker.is_free(start)) continue;
+    expect_maybe(narrow, start, same);
+    expect_maybe(with_bay, start, other);
+    const GoalDistance distance(narrow.checker, start, other, kSlack, {});
+    for (Proof proof : {Proof::quick, Proof::sharp})
+      EXPECT_FALSE(may_be_reachable(narrow.checker, distance, start, other, kCell, proof, {})) << text(other);
+  }
+}
+
 TEST(AProofOfUnreachability, IsNotGivenWhenInterrupted)
 {
   // Nothing is known yet when both floods have a long way to go.

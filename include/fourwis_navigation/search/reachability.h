@@ -16,7 +16,7 @@ enum class Proof
 
 /// Whether a robot of the two-disc model that could move freely, in any direction and turning on the spot, might get from
 /// start to goal. False is a proof that no plan exists; true is none that one does: cells are taken as free when any pose
-/// in them may be. Floods (x, y, theta mod pi) from both ends until they meet or one is exhausted, so the cost goes with
+/// in them may be. Floods (x, y, theta) from both ends until they meet or one is exhausted, so the cost goes with
 /// the smaller side. True when interrupted.
 bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
                       const Pose& goal, double cell_size, Proof proof, const Interrupt& interrupt);
