@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
 
@@ -56,6 +57,10 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, c
     least = std::min(least, margin);
   }
   needed_ = inscribed_discs(robot, least);
+  const double inside = inscribed_discs(robot, 0.0).radius - snug_->radius;
+  std::copy_if(snug_->centres.begin(), snug_->centres.end(), std::back_inserter(rim_), [&](const Point2& centre) {
+    return std::hypot(std::abs(centre.x) - needed_.offset, centre.y) > inside;
+  });
   stride_ = std::max(kLeastStride, least);
   reach_ = std::max(reach_, snug_->reach());
   least_clearance_ = clearance_between_checks(needed_.radius, needed_.offset, least_turning_radius(robot), stride_);
@@ -71,20 +76,24 @@ double CollisionChecker::margin_at(double x, double y) const
 
 bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
 {
-  const double ox = discs_.offset * cosine, oy = discs_.offset * sine;
   double left = clearance;
-  if (map_.is_clear(x + ox, y + oy, discs_.radius, left) && map_.is_clear(x - ox, y - oy, discs_.radius, left))
-  {
-    clearance = left;
-    return true;
-  }
-  return snug_ && is_snug_free(x, y, cosine, sine, clearance);
+  const bool free = are_clear(discs_, x, y, cosine, sine, left) || (snug_ && is_snug_free(x, y, cosine, sine, left = clearance));
+  if (free) clearance = left;
+  return free;
+}
+
+bool CollisionChecker::are_clear(const TwoDiscs& discs, double x, double y, double cosine, double sine,
+                                 double& clearance) const
+{
+  const double ox = discs.offset * cosine, oy = discs.offset * sine;
+  return map_.is_clear(x + ox, y + oy, discs.radius, clearance) && map_.is_clear(x - ox, y - oy, discs.radius, clearance);
 }
 
 bool CollisionChecker::is_snug_free(double x, double y, double cosine, double sine, double& clearance) const
 {
-  const double radius = snug_->radius + margin_at(x, y);
-  return std::all_of(snug_->centres.begin(), snug_->centres.end(), [&](const Point2& centre) {
+  const double margin = margin_at(x, y), radius = snug_->radius + margin;
+  if (!are_clear(inscribed_discs(robot_, margin), x, y, cosine, sine, clearance)) return false;
+  return std::all_of(rim_.begin(), rim_.end(), [&](const Point2& centre) {
     return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, radius, clearance);
   });
 }

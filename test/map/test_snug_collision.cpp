@@ -10,8 +10,12 @@ namespace
 {
 
 constexpr unsigned kSeed = 6;
-/// By how much the small discs stick out of the body, of the robot with default sizes [m].
-constexpr double kOverhang = 0.026;
+/// By how much the small discs stick out of the body's sides, most of all of it [m].
+double overhang(const Robot& robot)
+{
+  const DiscCover cover = snug_cover(robot);
+  return cover.radius + cover.centres.front().y - robot.width / 2.0;
+}
 
 Robot larger(Robot robot, double by)
 {
@@ -38,6 +42,11 @@ void for_poses(double margin, Visit visit)
   }
 }
 
+TEST(SnugCover, SticksOutByCentimetres)
+{
+  EXPECT_LT(overhang(Robot()), 0.014);
+}
+
 struct SnugCollision : testing::TestWithParam<double>
 {
 };
@@ -58,7 +67,7 @@ TEST_P(SnugCollision, LetsNoBodyTouchAnObstacle)
 TEST_P(SnugCollision, LetsThroughWhateverTheTwoDiscsDoAndWhateverFitsWithItsOverhang)
 {
   for_poses(GetParam(), [&](const Site& site, const CollisionChecker& snug, const Pose& pose) {
-    const bool fits = !ExactRectangle(site.grid, larger(site.robot, GetParam() + kOverhang)).collides(pose);
+    const bool fits = !ExactRectangle(site.grid, larger(site.robot, GetParam() + overhang(site.robot))).collides(pose);
     ASSERT_TRUE(snug.is_free(pose) || !(fits || site.checker.is_free(pose))) << text(pose);
   });
 }
@@ -88,7 +97,7 @@ TEST(TightPose, IsFreeAsFarAsTheBodyFitsAndOnlyAroundIt)
   OccupancyGrid grid = free_area(8.0, 4.0, 0.05);
   occupy_block(grid, 0, 0, 160, 20);
   const Site site(grid);
-  const double closest = 1.0 + site.robot.width / 2.0 + kOverhang;
+  const double closest = 1.0 + site.robot.width / 2.0 + overhang(site.robot);
   for (double left : {-0.002, 0.0005, 0.01, 0.03})
   {
     const Pose tight = {2.0, closest + left, 0.0}, far = {5.0, closest + left, 0.0};

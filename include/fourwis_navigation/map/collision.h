@@ -60,12 +60,14 @@ private:
 
   double margin_at(double x, double y) const;
   bool is_free(double x, double y, double cosine, double sine, double& clearance) const;
+  bool are_clear(const TwoDiscs& discs, double x, double y, double cosine, double sine, double& clearance) const;
   bool is_snug_free(double x, double y, double cosine, double sine, double& clearance) const;
 
   const ObstacleMap& map_;
   const Robot& robot_;
   TwoDiscs discs_, needed_;
   std::optional<DiscCover> snug_;
+  std::vector<Point2> rim_;  ///< centres of those discs of the snug cover that are not within those of discs()
   std::vector<TightSpot> tight_;
   double stride_;
   double reach_;  ///< of the disc centre farthest from C [m]

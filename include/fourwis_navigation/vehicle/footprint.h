@@ -61,7 +61,7 @@ inline DiscCover without_margin(DiscCover cover, const Robot& robot)
 /// Many small discs, without safety margin: they stick out by no more than a fifth of their cells' size.
 inline DiscCover snug_cover(const Robot& robot)
 {
-  constexpr double kCell = 0.125;  // [m]
+  constexpr double kCell = 0.0625;  // [m]
   const auto cells = [](double side) { return static_cast<int>(std::ceil(side / kCell)); };
   return without_margin(disc_cover(robot, cells(robot.length), cells(robot.width)), robot);
 }
