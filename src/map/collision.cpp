@@ -76,17 +76,18 @@ double CollisionChecker::margin_at(double x, double y) const
 
 bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
 {
-  double left = clearance;
-  const bool free = are_clear(discs_, x, y, cosine, sine, left) || (snug_ && is_snug_free(x, y, cosine, sine, left = clearance));
-  if (free) clearance = left;
-  return free;
+  const double before = clearance;
+  if (are_clear(discs_, x, y, cosine, sine, clearance)) return true;
+  clearance = before;
+  return snug_ && is_snug_free(x, y, cosine, sine, clearance);
 }
 
 bool CollisionChecker::are_clear(const TwoDiscs& discs, double x, double y, double cosine, double sine,
                                  double& clearance) const
 {
   const double ox = discs.offset * cosine, oy = discs.offset * sine;
-  return map_.is_clear(x + ox, y + oy, discs.radius, clearance) && map_.is_clear(x - ox, y - oy, discs.radius, clearance);
+  return map_.is_clear(x + ox, y + oy, discs.radius, clearance) &&
+         map_.is_clear(x - ox, y - oy, discs.radius, clearance);
 }
 
 bool CollisionChecker::is_snug_free(double x, double y, double cosine, double sine, double& clearance) const
@@ -94,7 +95,8 @@ bool CollisionChecker::is_snug_free(double x, double y, double cosine, double si
   const double margin = margin_at(x, y), radius = snug_->radius + margin;
   if (!are_clear(inscribed_discs(robot_, margin), x, y, cosine, sine, clearance)) return false;
   return std::all_of(rim_.begin(), rim_.end(), [&](const Point2& centre) {
-    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, radius, clearance);
+    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, radius,
+                         clearance);
   });
 }
 

@@ -32,7 +32,8 @@ void add_symmetric(SegmentModel::Derivatives& d, int i, int j, double value)
   d.hessian(j, i) += value;
 }
 
-void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentModel& model, Problem& problem)
+void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentModel& model,
+              Problem& problem)
 {
   for (const HalfPlane& plane : region)
   {

@@ -60,7 +60,8 @@ double clearance_at(const ObstacleMap& map, const DiscCover& discs, const State&
   for (const Point2& centre : discs.centres)
   {
     const double cx = x[0] + centre.x * c - centre.y * s, cy = x[1] + centre.x * s + centre.y * c;
-    if (!map.is_clear(cx, cy, discs.radius, clearance)) clearance = std::min(clearance, map.distance(cx, cy) - discs.radius);
+    if (!map.is_clear(cx, cy, discs.radius, clearance))
+      clearance = std::min(clearance, map.distance(cx, cy) - discs.radius);
   }
   return clearance;
 }

@@ -35,7 +35,8 @@ bool turns_back(const Segment& segment, std::size_t knot)
 }
 
 /// Whether a disc that moves from one pose to the other comes nearer to the half plane's edge than `reach`.
-bool comes_near(const HalfPlane& plane, const Point2& centre, const TrajectoryPoint& from, const TrajectoryPoint& to, double reach)
+bool comes_near(const HalfPlane& plane, const Point2& centre, const TrajectoryPoint& from, const TrajectoryPoint& to,
+                double reach)
 {
   const auto gap = [&](const TrajectoryPoint& p) {
     const Pose place = compose(p.pose(), {centre.x, centre.y, 0.0});
@@ -44,8 +45,8 @@ bool comes_near(const HalfPlane& plane, const Point2& centre, const TrajectoryPo
   return std::min(gap(from), gap(to)) < reach;
 }
 
-/// The regions without the edges that are farther than `reach` from the points, which cost time and bind nothing. A disc that
-/// goes farther than that may leave them, which the certificate tells.
+/// The regions without the edges that are farther than `reach` from the points, which cost time and bind nothing. A disc
+/// that goes farther than that may leave them, which the certificate tells.
 Corridor near_edges(const Corridor& corridor, const Trajectory& points, double reach)
 {
   Corridor near = corridor;

@@ -28,7 +28,8 @@ struct RefinedSegment
   const Trajectory& points() const { return rounds.back().points; }
 };
 
-/// corridor <-> optimisation for one segment after the other, free of collisions as the checker's paths are. May be used from several threads.
+/// corridor <-> optimisation for one segment after the other, free of collisions as the checker's paths are. May be used
+/// from several threads.
 class SegmentRefiner
 {
 public:
@@ -46,7 +47,8 @@ public:
 private:
   struct Attempt;
 
-  PolytopeCorridor corridor(const DiscCover& discs, const std::vector<Pose>& knots, const std::vector<double>& shrink) const;
+  PolytopeCorridor corridor(const DiscCover& discs, const std::vector<Pose>& knots,
+                            const std::vector<double>& shrink) const;
   SegmentSolution solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
                         const std::vector<char>& pinned, double tolerance) const;
   bool is_certified(Attempt& attempt, RefinedSegment& result) const;

@@ -25,7 +25,8 @@ struct TightPlaces : testing::Test
   static void expect_clear(const OccupancyGrid& grid, const Robot& robot, const Trajectory& trajectory)
   {
     const ExactRectangle rectangle(grid, robot);
-    for (const TrajectoryPoint& point : trajectory) ASSERT_FALSE(rectangle.collides(point.pose())) << text(point.pose());
+    for (const TrajectoryPoint& point : trajectory)
+      ASSERT_FALSE(rectangle.collides(point.pose())) << text(point.pose());
   }
 
   /// A hall of 8 m by 6 m that a wall divides, with a gap of the given width [m] in the middle.
@@ -33,7 +34,8 @@ struct TightPlaces : testing::Test
   {
     OccupancyGrid grid = free_area(8.0, 6.0, 0.01);
     occupy_block(grid, 390, 0, 20, 600);
-    for (int row = 300 - static_cast<int>(std::lround(gap * 50)); row < 300 + static_cast<int>(std::lround(gap * 50)); ++row)
+    const int half = static_cast<int>(std::lround(gap * 50));
+    for (int row = 300 - half; row < 300 + half; ++row)
       for (int column = 390; column < 410; ++column) cell(grid, column, row) = 0;
     return grid;
   }
@@ -86,7 +88,10 @@ TEST_F(TightPlaces, GoesThroughGapsThatOnlyTheBodyFits)
 TEST_F(TightPlaces, SaysThatAGapNarrowerThanTheBodyIsNoWay)
 {
   for (double gap : {0.0, 0.3, 0.56})
-    EXPECT_STREQ(to_string(plan(World(divided_hall(gap), robot, options), here, there).status), "goal_unreachable") << gap;
+  {
+    const PlanResult result = plan(World(divided_hall(gap), robot, options), here, there);
+    EXPECT_STREQ(to_string(result.status), "goal_unreachable") << gap;
+  }
 }
 
 TEST_F(TightPlaces, ParksBesideAWallAndLeaves)
