@@ -75,7 +75,7 @@ TEST_F(TightPlaces, TheRobotCanGoOnFromWhereverItsTrajectoriesBringIt)
 
 TEST_F(TightPlaces, GoesThroughGapsThatOnlyTheBodyFits)
 {
-  for (double gap : {0.84, 0.80, 0.76, 0.74})
+  for (double gap : {0.84, 0.80, 0.76, 0.72, 0.70})
   {
     SCOPED_TRACE("a gap of " + std::to_string(gap) + " m");
     const OccupancyGrid grid = divided_hall(gap);
