@@ -14,6 +14,10 @@ while [[ $# -gt 0 && $1 != -- ]]; do
   if [[ $1 == --stay ]]; then stay=true; else goals+=("$1"); fi
   shift
 done
+if [[ $# -lt 2 || ${#goals[@]} -eq 0 ]]; then
+  echo "usage: tour.sh [--stay] GOAL... -- LAUNCH_FILE [NAME:=VALUE]..." >&2
+  exit 2
+fi
 shift
 
 # The first port on which nobody listens: not the master of a robot, nor what an earlier tour has left.

@@ -61,10 +61,11 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
   return near;
 }
 
+/// What may show that a motion is free: the discs or, where the checker goes by it as well, the snug cover.
 std::vector<DiscCover> covers_with(const DiscCover& discs, const CollisionChecker& checker, const Robot& robot)
 {
   std::vector<DiscCover> covers = {without_margin(discs, robot)};
-  if (checker.snug()) covers.push_back(snug_cover(robot));
+  if (checker.snug()) covers.push_back(*checker.snug());
   return covers;
 }
 

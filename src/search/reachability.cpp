@@ -91,7 +91,6 @@ bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& dista
     if (steps % kInterruptInterval == 0 && is_over(interrupt)) return true;
   }
   return is_over(interrupt);  // then the places are not to be relied on
-
 }
 
 }  // namespace fourwis

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Drives a simulated robot, planner, controller, bridge and drives, over vcan0, where candump of can-utils listens. To be run by
-# scripts/can_vm/run_in_can_vm.sh. Fails unless the robot gets to its goals, and candump saw both that and how the wheels turned.
+# scripts/can_vm/run_in_can_vm.sh. Fails unless the robot gets to its goals and candump sees targets for steering and driving change.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

@@ -47,7 +47,7 @@ public:
   /// Two discs whose centres keep `radius` at every pose found free.
   const TwoDiscs& discs() const { return needed_; }
 
-  /// Where there is one; without margin.
+  /// The small discs, without margin; none for a checker that goes by two discs alone.
   const std::optional<DiscCover>& snug() const { return snug_; }
 
 private:
@@ -67,7 +67,7 @@ private:
   const Robot& robot_;
   TwoDiscs discs_, needed_;
   std::optional<DiscCover> snug_;
-  std::vector<Point2> rim_;  ///< centres of those discs of the snug cover that are not within those of discs()
+  std::vector<Point2> rim_;  ///< centres of those discs of the snug cover that the inscribed two do not contain
   std::vector<TightSpot> tight_;
   double stride_;
   double reach_;  ///< of the disc centre farthest from C [m]

@@ -34,14 +34,15 @@ inline TwoDiscs inscribed_discs(const Robot& robot, double margin)
 struct DiscCover
 {
   std::vector<Point2> centres;  ///< on the body, from front to rear [m]
-  double radius;                ///< safety margin included [m]
+  double radius;                ///< that the centres keep from obstacles [m]
 
   /// Of the centre farthest from C [m].
   double reach() const { return centres.empty() ? 0.0 : std::hypot(centres.front().x, centres.front().y); }
 };
 
-/// Discs over the cells of a grid on the body, so many along it and across it. Two along and one across are the paper's; more
-/// in a row stick out less to the sides but more to front and rear, several rows less everywhere.
+/// Discs over the cells of a grid on the body, so many along it and across it, the safety margin in their radius. Two along
+/// and one across are the paper's; more in a row stick out less to the sides but more to front and rear, several rows less
+/// everywhere.
 inline DiscCover disc_cover(const Robot& robot, int along, int across = 1)
 {
   const double length = robot.length / along, width = robot.width / across;
@@ -52,13 +53,14 @@ inline DiscCover disc_cover(const Robot& robot, int along, int across = 1)
   return cover;
 }
 
+/// The same discs, as small as they can be without uncovering the body.
 inline DiscCover without_margin(DiscCover cover, const Robot& robot)
 {
   cover.radius -= robot.safety_margin;
   return cover;
 }
 
-/// Many small discs, without safety margin: they stick out by no more than a fifth of their cells' size.
+/// Many small discs, without safety margin, over cells of at most 62.5 mm: they stick out by 13 mm at most.
 inline DiscCover snug_cover(const Robot& robot)
 {
   constexpr double kCell = 0.0625;  // [m]
