@@ -37,14 +37,17 @@ bool is_in_fault(DriveState state)
 }  // namespace
 
 Axis::Axis(const Robot& robot, const BridgeOptions& options, int index, FaultLog& log)
-  : steering_(is_steering(index)), node_(options_of(options, index).node),
-    scale_(scale_of(options, options_of(options, index), steering_)), mode_(working_mode(options, steering_)),
-    report_fault_(log, index), startup_(robot, options, options_of(options, index), steering_, report_fault_),
+  : steering_(is_steering(index)),
+    node_(options_of(options, index).node),
+    scale_(scale_of(options, options_of(options, index), steering_)),
+    mode_(working_mode(options, steering_)),
+    report_fault_(log, index),
+    startup_(robot, options, options_of(options, index), steering_, report_fault_),
     watch_(watch_of(robot, options, scale_, steering_, report_fault_)),
-    homing_(steering_ && options.homing, options.homing_timeout, report_fault_), telemetry_(options, node_),
+    homing_(steering_ && options.homing, options.homing_timeout, report_fault_),
+    telemetry_(options, node_),
     late_(options.enable_timeout)
-{
-}
+{}
 
 void Axis::restart(bool reset_fault, double now, Outbox& outbox)
 {
@@ -135,8 +138,8 @@ bool Axis::out_of_operation() const
 AxisReport Axis::report() const
 {
   const DriveState power = has_status_ ? state() : DriveState::unknown;
-  return {nmt_, power, status_.statusword, emergency_, position(), speed(), telemetry_.voltage(),
-          telemetry_.temperature()};
+  return {nmt_,       power,   status_.statusword,   emergency_,
+          position(), speed(), telemetry_.voltage(), telemetry_.temperature()};
 }
 
 void Axis::receive_heartbeat(NmtState state, double now, Outbox& outbox)
@@ -196,8 +199,7 @@ void Axis::supervise_power(double now)
   const DriveState power = state();
   resetting_ = resetting_ && is_in_fault(power) && now < reset_until_;
   if (is_in_fault(power) && !resetting_) report_fault_(Fault::drive_fault, status_.statusword, now);
-  if (late_.update(step() == StartStep::starting, now))
-    report_fault_(Fault::power_timeout, status_.statusword, now);
+  if (late_.update(step() == StartStep::starting, now)) report_fault_(Fault::power_timeout, status_.statusword, now);
   homing_.supervise(status_, now);
 
   if (goal_ == PowerGoal::on && was_in_operation_ && power != DriveState::operation_enabled)

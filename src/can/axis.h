@@ -33,8 +33,8 @@ public:
   bool in_operation() const;
   bool out_of_operation() const;
   double position() const { return steering_ ? scale_.to_position(motion_.position) : rolled_; }  ///< [rad or m]
-  double speed() const { return scale_.to_rate(motion_.velocity); }  ///< [rad/s or m/s]
-  double measured_at() const { return measured_at_; }                ///< the SYNC of both; 0: never [s]
+  double speed() const { return scale_.to_rate(motion_.velocity); }                               ///< [rad/s or m/s]
+  double measured_at() const { return measured_at_; }  ///< the SYNC of both; 0: never [s]
   AxisReport report() const;
 
 private:
@@ -68,7 +68,7 @@ private:
   double measured_at_ = 0.0;  ///< [s]
   std::uint16_t emergency_ = 0;
   bool has_status_ = false, has_motion_ = false;  ///< since the start
-  bool resetting_ = false;   ///< a fault is to be reset before the axis counts as started
+  bool resetting_ = false;                        ///< a fault is to be reset before the axis counts as started
   double reset_until_ = 0.0;
   bool reset_edge_ = false;
   PowerGoal goal_ = PowerGoal::off;

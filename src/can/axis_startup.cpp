@@ -16,11 +16,13 @@ constexpr double kShortestReboot = 0.01;
 
 AxisStartup::AxisStartup(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering,
                          FaultReporter report)
-  : node_(axis.node), boot_timeout_(options.boot_timeout), identification_(identification_script(options, steering)),
-    configuration_(configuration_script(robot, options, axis, steering)), client_(axis.node, options.sdo_timeout),
+  : node_(axis.node),
+    boot_timeout_(options.boot_timeout),
+    identification_(identification_script(options, steering)),
+    configuration_(configuration_script(robot, options, axis, steering)),
+    client_(axis.node, options.sdo_timeout),
     report_(report)
-{
-}
+{}
 
 void AxisStartup::begin(double now, Outbox& outbox)
 {

@@ -19,13 +19,16 @@ constexpr double kSpeedSlack = 2.0, kLateCycles = 2.0;
 
 AxisWatch::AxisWatch(const BridgeOptions& options, double max_speed, double error, Fault not_followed,
                      FaultReporter report)
-  : max_speed_(max_speed), error_(error), heartbeat_timeout_(options.heartbeat_timeout),
+  : max_speed_(max_speed),
+    error_(error),
+    heartbeat_timeout_(options.heartbeat_timeout),
     cycle_time_(options.cycle_time),
     lost_after_(std::max(2, static_cast<int>(std::lround(options.feedback_timeout / options.cycle_time)))),
-    most_unasked_(kAnswers * (lost_after_ + 1)), not_followed_(not_followed), report_(report),
+    most_unasked_(kAnswers * (lost_after_ + 1)),
+    not_followed_(not_followed),
+    report_(report),
     off_(options.following_time)
-{
-}
+{}
 
 void AxisWatch::begin(double now)
 {

@@ -50,7 +50,7 @@ private:
   int unasked_ = 0;  ///< answers in excess of SYNCs
   bool rebooted_ = false;
   std::optional<std::int32_t> position_;  ///< [counts]
-  double moved_ = 0.0;  ///< when `position_` was received
+  double moved_ = 0.0;                    ///< when `position_` was received
 };
 
 }  // namespace fourwis::can

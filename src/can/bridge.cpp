@@ -16,10 +16,13 @@ class Bridge::Implementation
 {
 public:
   Implementation(const Robot& robot, const BridgeOptions& options)
-    : options_(options), protocol_(make_protocol(robot, options, log_)), link_(options, log_), motion_(robot, options),
-      stop_(options), load_(options.bit_rate)
-  {
-  }
+    : options_(options),
+      protocol_(make_protocol(robot, options, log_)),
+      link_(options, log_),
+      motion_(robot, options),
+      stop_(options),
+      load_(options.bit_rate)
+  {}
 
   void set_link(bool up, double now)
   {
@@ -305,19 +308,49 @@ Bridge::Bridge(const Robot& robot, const BridgeOptions& options)
 }
 Bridge::~Bridge() = default;
 
-void Bridge::set_link(bool up, double now) { implementation_->set_link(up, now); }
-void Bridge::receive(const Frame& frame, double now) { implementation_->receive(frame, now); }
+void Bridge::set_link(bool up, double now)
+{
+  implementation_->set_link(up, now);
+}
+void Bridge::receive(const Frame& frame, double now)
+{
+  implementation_->receive(frame, now);
+}
 void Bridge::command(const WheelCommand& command, double made, double now)
 {
   implementation_->command(command, made, now);
 }
-void Bridge::press_emergency_stop(bool pressed, double now) { implementation_->press_emergency_stop(pressed, now); }
-const char* Bridge::enable(double now) { return implementation_->enable(now); }
-const char* Bridge::disable(double now) { return implementation_->disable(now); }
-const char* Bridge::clear_faults(double now) { return implementation_->clear_faults(now); }
-void Bridge::cycle(double now) { implementation_->cycle(now); }
-Outbox& Bridge::outbox() { return implementation_->outbox(); }
-const WheelState& Bridge::wheels() const { return implementation_->wheels(); }
-BridgeReport Bridge::report() const { return implementation_->report(); }
+void Bridge::press_emergency_stop(bool pressed, double now)
+{
+  implementation_->press_emergency_stop(pressed, now);
+}
+const char* Bridge::enable(double now)
+{
+  return implementation_->enable(now);
+}
+const char* Bridge::disable(double now)
+{
+  return implementation_->disable(now);
+}
+const char* Bridge::clear_faults(double now)
+{
+  return implementation_->clear_faults(now);
+}
+void Bridge::cycle(double now)
+{
+  implementation_->cycle(now);
+}
+Outbox& Bridge::outbox()
+{
+  return implementation_->outbox();
+}
+const WheelState& Bridge::wheels() const
+{
+  return implementation_->wheels();
+}
+BridgeReport Bridge::report() const
+{
+  return implementation_->report();
+}
 
 }  // namespace fourwis::can

@@ -42,15 +42,16 @@ class BridgeThread::Implementation
 {
 public:
   Implementation(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority)
-    : cycle_time_(options.cycle_time), bus_(std::move(bus)), bridge_(robot, options), connection_(bridge_, *bus_)
+    : cycle_time_(options.cycle_time),
+      bus_(std::move(bus)),
+      bridge_(robot, options),
+      connection_(bridge_, *bus_)
   {
     std::promise<std::string> complaint;
-    thread_ = std::thread(
-      [&, priority]
-      {
-        complaint.set_value(priority > 0 ? become_real_time(priority) : "");
-        run();
-      });
+    thread_ = std::thread([&, priority] {
+      complaint.set_value(priority > 0 ? become_real_time(priority) : "");
+      run();
+    });
     complaint_ = complaint.get_future().get();
   }
 
@@ -172,16 +173,36 @@ private:
 
 BridgeThread::BridgeThread(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority)
   : implementation_(std::make_unique<Implementation>(robot, options, std::move(bus), priority))
-{
-}
+{}
 BridgeThread::~BridgeThread() = default;
 
-std::string BridgeThread::complaint() const { return implementation_->complaint(); }
-void BridgeThread::command(const WheelCommand& command, double age) { implementation_->command(command, age); }
-void BridgeThread::press_emergency_stop(bool pressed) { implementation_->press_emergency_stop(pressed); }
-std::string BridgeThread::enable() { return implementation_->ask(RequestSlot::Request::enable); }
-std::string BridgeThread::disable() { return implementation_->ask(RequestSlot::Request::disable); }
-std::string BridgeThread::clear_faults() { return implementation_->ask(RequestSlot::Request::clear_faults); }
-bool BridgeThread::wait(BridgeUpdate& update, double timeout) { return implementation_->wait(update, timeout); }
+std::string BridgeThread::complaint() const
+{
+  return implementation_->complaint();
+}
+void BridgeThread::command(const WheelCommand& command, double age)
+{
+  implementation_->command(command, age);
+}
+void BridgeThread::press_emergency_stop(bool pressed)
+{
+  implementation_->press_emergency_stop(pressed);
+}
+std::string BridgeThread::enable()
+{
+  return implementation_->ask(RequestSlot::Request::enable);
+}
+std::string BridgeThread::disable()
+{
+  return implementation_->ask(RequestSlot::Request::disable);
+}
+std::string BridgeThread::clear_faults()
+{
+  return implementation_->ask(RequestSlot::Request::clear_faults);
+}
+bool BridgeThread::wait(BridgeUpdate& update, double timeout)
+{
+  return implementation_->wait(update, timeout);
+}
 
 }  // namespace fourwis::can

@@ -16,8 +16,8 @@ const std::string kUnixPrefix = "unix:";
 constexpr std::size_t kLongestUnixName = 32;
 
 const std::string kAllowed =
-  "expected unix:NAME (1 to 32 letters, digits, '_', '-', '.'), a bus among the processes of this machine, or a "
-  "SocketCAN interface such as can0 or vcan0 (at most 15 of them)";
+    "expected unix:NAME (1 to 32 letters, digits, '_', '-', '.'), a bus among the processes of this machine, or a "
+    "SocketCAN interface such as can0 or vcan0 (at most 15 of them)";
 
 /// Letters, digits, `_`, `-` and, not in front, `.`.
 bool is_plain(const std::string& name)

@@ -48,8 +48,7 @@ Address address_of(const Frame& frame)
 
 std::uint32_t cob_id(Service service, int node)
 {
-  const std::uint32_t function =
-    service == Service::emergency ? kSyncFunction : static_cast<std::uint32_t>(service);
+  const std::uint32_t function = service == Service::emergency ? kSyncFunction : static_cast<std::uint32_t>(service);
   return function << kFunctionShift | static_cast<std::uint32_t>(node);
 }
 
@@ -88,8 +87,7 @@ Frame encode_heartbeat(int node, NmtState state)
 std::optional<NmtState> decode_heartbeat(const Frame& frame)
 {
   if (!is(frame, Service::heartbeat, 1)) return std::nullopt;
-  for (const NmtState state :
-       {NmtState::boot_up, NmtState::stopped, NmtState::operational, NmtState::pre_operational})
+  for (const NmtState state : {NmtState::boot_up, NmtState::stopped, NmtState::operational, NmtState::pre_operational})
     if (frame.data[0] == static_cast<std::uint8_t>(state)) return state;
   return std::nullopt;
 }

@@ -14,8 +14,10 @@ constexpr double kShortestListening = 0.1;
 }  // namespace
 
 Cia402Base::Cia402Base(const Robot& robot, const BridgeOptions& options, FaultLog& log)
-  : master_(options.master_node), heartbeat_period_(options.heartbeat_period),
-    listen_time_(std::max(kShortestListening, options.drive_watchdog)), report_(log, kNoAxis),
+  : master_(options.master_node),
+    heartbeat_period_(options.heartbeat_period),
+    listen_time_(std::max(kShortestListening, options.drive_watchdog)),
+    report_(log, kNoAxis),
     beaten_(-std::numeric_limits<double>::infinity())
 {
   axis_of_node_.fill(kNoAxis);

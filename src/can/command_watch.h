@@ -19,9 +19,9 @@ public:
   };
 
   CommandWatch(const Robot& robot, const BridgeOptions& options)
-    : max_angle_(robot.wheel_max_angle), timeout_(options.command_timeout)
-  {
-  }
+    : max_angle_(robot.wheel_max_angle),
+      timeout_(options.command_timeout)
+  {}
 
   /// `made`: when somebody gave it [s].
   Verdict take(const WheelCommand& command, double made, double now);

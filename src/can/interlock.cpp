@@ -14,11 +14,13 @@ constexpr double kLargestJump = 20.0 * M_PI / 180.0;
 }  // namespace
 
 Interlock::Interlock(const BridgeOptions& options)
-  : tolerance_(options.aligned_tolerance), standstill_speed_(options.standstill_speed),
-    standstill_(options.standstill_time), aligned_(options.aligned_time), rolls_on_(options.stop_timeout),
+  : tolerance_(options.aligned_tolerance),
+    standstill_speed_(options.standstill_speed),
+    standstill_(options.standstill_time),
+    aligned_(options.aligned_time),
+    rolls_on_(options.stop_timeout),
     late_(options.alignment_timeout)
-{
-}
+{}
 
 void Interlock::reset(double now)
 {

@@ -86,7 +86,9 @@ void MemoryBus::forget(const End& end)
 }
 
 MemoryBus::End::End(MemoryBus& bus)
-  : bus_(bus), to_send_(bus.options_.transmit_queue), received_(bus.options_.receive_queue)
+  : bus_(bus),
+    to_send_(bus.options_.transmit_queue),
+    received_(bus.options_.receive_queue)
 {
   bus_.ends_.push_back(this);
 }

@@ -13,10 +13,11 @@ constexpr double kLongestStep = 2.0;
 }  // namespace
 
 Motion::Motion(const Robot& robot, const BridgeOptions& options)
-  : commands_(robot, options), interlock_(options), setpoint_(robot, options),
+  : commands_(robot, options),
+    interlock_(options),
+    setpoint_(robot, options),
     longest_step_(kLongestStep * options.cycle_time)
-{
-}
+{}
 
 void Motion::begin(double now)
 {

@@ -37,7 +37,7 @@ void check_counts(const Robot& robot, const BridgeOptions& options, const AxisOp
   const double greatest = std::max({travel, ramps.speed, 0.5 * ramps.acceleration, 0.5 * ramps.deceleration});
   refuse(greatest * counts > std::numeric_limits<std::int32_t>::max(),
          "node " + std::to_string(axis.node) + " would need more than 32 bits for its angle, speed or acceleration: " +
-           std::to_string(counts) + " counts in a radian or metre are too many");
+             std::to_string(counts) + " counts in a radian or metre are too many");
 }
 
 /// Methods that search nothing but declare a zero: every start would declare another one.
@@ -54,7 +54,7 @@ void check_ranger(const RangerOptions& ranger)
   const std::set<int> places(ranger.place.begin(), ranger.place.end());
   refuse(places != std::set<int>{1, 2, 3, 4}, "ranger/place is not each of 1 to 4 once");
   refuse(ranger.side_slip_mode < 3, "ranger/side_slip_mode is " + std::to_string(ranger.side_slip_mode) +
-                                      ", the number of another mode, expected 3 or more");
+                                        ", the number of another mode, expected 3 or more");
 }
 
 void check_cycle_time(double cycle_time)
@@ -67,7 +67,7 @@ void check_cycle_time(double cycle_time)
 void check_shorter(const char* shorter, double a, const char* longer, double b)
 {
   refuse(!(a < b), std::string(shorter) + " is " + std::to_string(a) + " s, expected less than " + longer + " (" +
-                     std::to_string(b) + " s)");
+                       std::to_string(b) + " s)");
 }
 
 /// Heartbeats leave with cycles, and a cycle may be late.

@@ -39,8 +39,7 @@ std::int16_t thousandths(double value)
 {
   using Limits = std::numeric_limits<std::int16_t>;
   if (std::isnan(value)) return 0;
-  return static_cast<std::int16_t>(
-    std::lround(std::clamp<double>(value / kThousandth, Limits::min(), Limits::max())));
+  return static_cast<std::int16_t>(std::lround(std::clamp<double>(value / kThousandth, Limits::min(), Limits::max())));
 }
 
 std::array<double, 4> four_thousandths(const Frame& frame)

@@ -47,11 +47,19 @@ RangerMotion standing(double steering)
 }  // namespace
 
 RangerBase::RangerBase(const Robot& robot, const BridgeOptions& options, FaultLog& log)
-  : kinematics_(robot, options.ranger), boot_timeout_(options.boot_timeout), steering_error_(options.steering_error),
-    speed_error_(options.speed_error), report_(log, kNoAxis), state_at_(kNever), mode_at_(kNever), angles_at_(kNever),
-    speeds_at_(kNever), told_at_(kNever), stuck_(options.following_time), off_speed_(options.following_time)
-{
-}
+  : kinematics_(robot, options.ranger),
+    boot_timeout_(options.boot_timeout),
+    steering_error_(options.steering_error),
+    speed_error_(options.speed_error),
+    report_(log, kNoAxis),
+    state_at_(kNever),
+    mode_at_(kNever),
+    angles_at_(kNever),
+    speeds_at_(kNever),
+    told_at_(kNever),
+    stuck_(options.following_time),
+    off_speed_(options.following_time)
+{}
 
 void RangerBase::restart(bool reset_faults, double now, Outbox& outbox)
 {
@@ -185,8 +193,7 @@ AxisReport RangerBase::axis(int axis) const
   report.statusword = state_.errors;
   if (state_at_ != kNever) report.voltage = state_.voltage;
   const auto wheel = static_cast<std::size_t>(axis % kWheels);
-  (axis < kWheels ? report.position : report.speed) =
-    axis < kWheels ? measured_.angle[wheel] : measured_.speed[wheel];
+  (axis < kWheels ? report.position : report.speed) = axis < kWheels ? measured_.angle[wheel] : measured_.speed[wheel];
   return report;
 }
 

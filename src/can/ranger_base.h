@@ -48,10 +48,10 @@ private:
   FaultReporter report_;
   StartStep step_ = StartStep::listening;
   bool reset_faults_ = false;
-  bool foreign_ = false;    ///< somebody else commands it: we do not start
-  bool follows_ = false;    ///< it is told to
-  double entered_ = 0.0;    ///< the step
-  double asked_ = 0.0;      ///< for control of the base
+  bool foreign_ = false;  ///< somebody else commands it: we do not start
+  bool follows_ = false;  ///< it is told to
+  double entered_ = 0.0;  ///< the step
+  double asked_ = 0.0;    ///< for control of the base
   RangerState state_;
   RangerModeState mode_;
   PerWheel angles_{}, speeds_{};

@@ -30,9 +30,9 @@ public:
   void supervise(double now, Outbox& outbox);
 
   State state() const { return state_; }
-  Fault fault() const { return fault_; }             ///< of `failed`
-  std::uint32_t detail() const { return detail_; }   ///< abort code, or the value that was read
-  std::uint32_t object() const;                      ///< that it failed with, index << 8 | sub-index
+  Fault fault() const { return fault_; }            ///< of `failed`
+  std::uint32_t detail() const { return detail_; }  ///< abort code, or the value that was read
+  std::uint32_t object() const;                     ///< that it failed with, index << 8 | sub-index
 
 private:
   const SdoStep& step() const { return (*script_)[position_]; }

@@ -181,8 +181,7 @@ SdoScript identification_script(const BridgeOptions& options, bool steering)
   return script;
 }
 
-SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
-                               bool steering)
+SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis, bool steering)
 {
   const AxisScale scale = scale_of(options, axis, steering);
   SdoScript script;

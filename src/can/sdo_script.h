@@ -16,17 +16,17 @@ struct SdoStep
 {
   enum class Kind
   {
-    expect_equal,    ///< read it; it must be `value`
-    expect_bits,     ///< read it; all bits of `value` must be set
-    write,           ///< write `value`, read it back
-    write_only       ///< write `value`; it may read as something else
+    expect_equal,  ///< read it; it must be `value`
+    expect_bits,   ///< read it; all bits of `value` must be set
+    write,         ///< write `value`, read it back
+    write_only     ///< write `value`; it may read as something else
   };
   Kind kind = Kind::write;
   ObjectId object;
   std::uint32_t value = 0;
-  int size = 4;                      ///< bytes of the object
-  std::uint32_t compared = 0xFFFFFFFF;  ///< the bits that must read as written
-  bool optional = false;             ///< a drive without the object is good enough
+  int size = 4;                             ///< bytes of the object
+  std::uint32_t compared = 0xFFFFFFFF;      ///< the bits that must read as written
+  bool optional = false;                    ///< a drive without the object is good enough
   Fault refusal = Fault::setting_not_kept;  ///< what it is when the value read is another
 };
 

@@ -8,10 +8,12 @@ namespace fourwis::can
 {
 
 Setpoint::Setpoint(const Robot& robot, const BridgeOptions& options)
-  : max_angle_(robot.wheel_max_angle), max_rate_(robot.wheel_max_rate), max_speed_(robot.wheel_max_speed),
-    max_acceleration_(options.max_acceleration), stop_deceleration_(options.stop_deceleration)
-{
-}
+  : max_angle_(robot.wheel_max_angle),
+    max_rate_(robot.wheel_max_rate),
+    max_speed_(robot.wheel_max_speed),
+    max_acceleration_(options.max_acceleration),
+    stop_deceleration_(options.stop_deceleration)
+{}
 
 void Setpoint::hold(const WheelMotion& measured)
 {

@@ -14,8 +14,10 @@ public:
   /// To be told at each look at the condition; the answer after it.
   bool update(bool condition, double now)
   {
-    if (!condition) reset();
-    else if (since_ == kNever) since_ = now;
+    if (!condition)
+      reset();
+    else if (since_ == kNever)
+      since_ = now;
     return holds(now);
   }
   // A nanosecond of slack: times are sums of cycles.

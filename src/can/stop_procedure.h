@@ -14,8 +14,8 @@ public:
   enum class Kind
   {
     none,
-    ramp,   ///< the speeds come down by our ramp
-    brake   ///< speed zero at once, the drives brake by their own ramp
+    ramp,  ///< the speeds come down by our ramp
+    brake  ///< speed zero at once, the drives brake by their own ramp
   };
   enum class Phase
   {
@@ -26,9 +26,10 @@ public:
   };
 
   explicit StopProcedure(const BridgeOptions& options)
-    : speed_(options.standstill_speed), timeout_(options.stop_timeout), standstill_(options.standstill_time)
-  {
-  }
+    : speed_(options.standstill_speed),
+      timeout_(options.stop_timeout),
+      standstill_(options.standstill_time)
+  {}
 
   /// Begins, or becomes harder than it was.
   void begin(Kind kind, double now);

@@ -203,8 +203,8 @@ bool UnixBus::hand_over(const Frame& frame, Connection& to)
 /// What a connection has: true for a frame.
 bool UnixBus::take(int descriptor, Frame& frame)
 {
-  const auto from = std::find_if(from_.begin(), from_.end(),
-                                 [&](const Connection& c) { return c.socket.get() == descriptor; });
+  const auto from =
+      std::find_if(from_.begin(), from_.end(), [&](const Connection& c) { return c.socket.get() == descriptor; });
   Packet packet;
   const ssize_t size = recv(descriptor, &packet, sizeof packet, MSG_TRUNC);
   if (size < 0 && errno == EAGAIN) return false;

@@ -16,8 +16,8 @@ namespace
 {
 
 const char* const kFooter =
-  "\nExit status: 0 a verified plan; 1 no plan (the JSON says why); 2 unusable input.\n"
-  "Example: plan --map config/env4.yaml --start 1.1,1.1,1.57 --goal 10.65,8.75,3.14 --svg plan.svg";
+    "\nExit status: 0 a verified plan; 1 no plan (the JSON says why); 2 unusable input.\n"
+    "Example: plan --map config/env4.yaml --start 1.1,1.1,1.57 --goal 10.65,8.75,3.14 --svg plan.svg";
 
 std::vector<std::string> split(const std::string& text)
 {
@@ -97,24 +97,22 @@ po::options_description known_options()
 {
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("Options");
-  options.add_options()
-    ("help,h", "print this text")
-    ("map", value("FILE"), "map in map_server's format: YAML beside a PGM or PNG image")
-    ("octomap", value("FILE"), "3D map (.bt or .ot) instead of --map")
-    ("height-min", value("Z"), "lowest height of the 3D map that matters [m], default 0.1")
-    ("height-max", value("Z"), "greatest height of the 3D map that matters [m], default 1.0")
-    ("start", value("X,Y,YAW"), "in the map frame [m, m, rad]")
-    ("goal", value("X,Y,YAW"), "in the map frame [m, m, rad]")
-    ("robot", value("FILE"), "robot.yaml; default: the values of config/robot.yaml")
-    ("planner", value("FILE"), "planner.yaml; default: the values of config/planner.yaml")
-    ("modes", value("MODES"), "modes to plan in, default ackermann,lateral,parallel")
-    ("frontend-only", "stop after the front end's own trajectory")
-    ("repeat", value("N"), "plan N times and report the medians of the times")
-    ("json", value("FILE"), "write status, metrics and trajectory; - is the standard output")
-    ("csv", value("FILE"), "write the trajectory's points")
-    ("svg", value("FILE"), "draw map, footprints and path")
-    ("corridors", "draw the regions that the optimisation kept the disc centres in, too")
-    ("iterations", "draw what each round of the optimisation made of the path, and with --corridors its regions");
+  options.add_options()("help,h", "print this text")("map", value("FILE"),
+                                                     "map in map_server's format: YAML beside a PGM or PNG image")(
+      "octomap", value("FILE"), "3D map (.bt or .ot) instead of --map")(
+      "height-min", value("Z"), "lowest height of the 3D map that matters [m], default 0.1")(
+      "height-max", value("Z"), "greatest height of the 3D map that matters [m], default 1.0")(
+      "start", value("X,Y,YAW"), "in the map frame [m, m, rad]")(
+      "goal", value("X,Y,YAW"), "in the map frame [m, m, rad]")("robot", value("FILE"),
+                                                                "robot.yaml; default: the values of config/robot.yaml")(
+      "planner", value("FILE"), "planner.yaml; default: the values of config/planner.yaml")(
+      "modes", value("MODES"), "modes to plan in, default ackermann,lateral,parallel")(
+      "frontend-only", "stop after the front end's own trajectory")("repeat", value("N"),
+                                                                    "plan N times and report the medians of the times")(
+      "json", value("FILE"), "write status, metrics and trajectory; - is the standard output")(
+      "csv", value("FILE"), "write the trajectory's points")("svg", value("FILE"), "draw map, footprints and path")(
+      "corridors", "draw the regions that the optimisation kept the disc centres in, too")(
+      "iterations", "draw what each round of the optimisation made of the path, and with --corridors its regions");
   return options;
 }
 
@@ -122,7 +120,7 @@ po::variables_map read(int argc, const char* const* argv, const po::options_desc
 {
   namespace style = po::command_line_style;
   const po::parsed_options parsed =
-    po::command_line_parser(argc, argv).options(options).style(style::unix_style & ~style::allow_guessing).run();
+      po::command_line_parser(argc, argv).options(options).style(style::unix_style & ~style::allow_guessing).run();
   for (const po::option& option : parsed.options)
     if (option.position_key >= 0) throw po::error("'" + option.value.front() + "' belongs to no option");
   po::variables_map given;

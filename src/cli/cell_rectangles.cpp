@@ -9,8 +9,8 @@ namespace fourwis
 namespace
 {
 
-using Run = std::pair<int, int>;     ///< columns [first, second) of one row
-using Open = std::map<Run, int>;     ///< runs that reach up to the current row -> the row where they began
+using Run = std::pair<int, int>;  ///< columns [first, second) of one row
+using Open = std::map<Run, int>;  ///< runs that reach up to the current row -> the row where they began
 
 std::vector<Run> runs_of_row(const OccupancyGrid& grid, int row, const std::function<bool(std::int8_t)>& wanted)
 {

@@ -71,8 +71,8 @@ public:
   }
   void ring(const std::string& label)
   {
-    out_ << "<circle cx=\"" << pixels(x_ + 6.0) << "\" cy=\"" << pixels(y_)
-         << "\" r=\"4.5\" fill=\"#ffffff\" stroke=\"" << kStartColour << "\" stroke-width=\"2\"/>\n";
+    out_ << "<circle cx=\"" << pixels(x_ + 6.0) << "\" cy=\"" << pixels(y_) << "\" r=\"4.5\" fill=\"#ffffff\" stroke=\""
+         << kStartColour << "\" stroke-width=\"2\"/>\n";
     text(18.0, label);
   }
   void box(const char* colour, const std::string& label)
@@ -108,8 +108,8 @@ void write_scale_bar(std::ostream& out, const Page& page, double y)
   const double length = metres * page.scale, x = page.width - kMargin - length;
   char label[32];
   std::snprintf(label, sizeof(label), "%g m", metres);
-  out << "<path d=\"M" << pixels(x) << ',' << pixels(y - 4.0) << "v8m0,-4h" << pixels(length)
-      << "m0,-4v8\" stroke=\"" << kStartColour << "\" stroke-width=\"1.5\" fill=\"none\"/>\n"
+  out << "<path d=\"M" << pixels(x) << ',' << pixels(y - 4.0) << "v8m0,-4h" << pixels(length) << "m0,-4v8\" stroke=\""
+      << kStartColour << "\" stroke-width=\"1.5\" fill=\"none\"/>\n"
       << "<text text-anchor=\"end\" x=\"" << pixels(x - 8.0) << "\" y=\"" << pixels(y + 4.5) << "\">" << label
       << "</text>\n";
 }

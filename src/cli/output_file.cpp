@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path, std::ostream* standard_output)
-  : path_(path), target_(path), standard_output_(path == "-" ? standard_output : nullptr)
+  : path_(path),
+    target_(path),
+    standard_output_(path == "-" ? standard_output : nullptr)
 {
   if (standard_output_) return;
 

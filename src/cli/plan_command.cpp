@@ -57,10 +57,12 @@ Problem read_problem(const PlanArguments& arguments)
 struct Outputs
 {
   Outputs(const PlanArguments& arguments, std::ostream& standard_output)
-    : csv(open(arguments.csv, nullptr)), svg(open(arguments.svg, nullptr)), json(open(arguments.json, &standard_output)),
-      corridors(arguments.corridors), iterations(arguments.iterations)
-  {
-  }
+    : csv(open(arguments.csv, nullptr)),
+      svg(open(arguments.svg, nullptr)),
+      json(open(arguments.json, &standard_output)),
+      corridors(arguments.corridors),
+      iterations(arguments.iterations)
+  {}
 
   static std::unique_ptr<OutputFile> open(const std::string& path, std::ostream* standard_output)
   {
@@ -119,8 +121,9 @@ void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
   const PlanResult& result = answer.result;
   if (outputs.csv) write_csv(outputs.csv->stream(), result.trajectory);
   if (outputs.svg)
-    write_svg(outputs.svg->stream(), {problem.grid, problem.options.obstacles, problem.robot, request.start,
-                                      request.goal, result, corridors(outputs, answer.trace), iterations(outputs, answer.trace)});
+    write_svg(outputs.svg->stream(),
+              {problem.grid, problem.options.obstacles, problem.robot, request.start, request.goal, result,
+               corridors(outputs, answer.trace), iterations(outputs, answer.trace)});
   if (outputs.csv) outputs.csv->commit();
   if (outputs.svg) outputs.svg->commit();
 

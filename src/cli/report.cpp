@@ -56,9 +56,11 @@ std::string metrics_object(const PlanMetrics& metrics)
 
 Members members_of(const TrajectoryPoint& point)
 {
-  return {{"t", point.t},         {"mode", to_string(point.mode)}, {"x", point.x},
-          {"y", point.y},         {"theta", point.theta},          {"v", point.v},
-          {"phi", point.phi},     {"a", point.a},                  {"omega", point.omega}};
+  return {{"t", point.t},         {"mode", to_string(point.mode)},
+          {"x", point.x},         {"y", point.y},
+          {"theta", point.theta}, {"v", point.v},
+          {"phi", point.phi},     {"a", point.a},
+          {"omega", point.omega}};
 }
 
 }  // namespace

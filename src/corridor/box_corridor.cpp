@@ -22,8 +22,8 @@ void check(const BoxOptions& options)
   if (!(options.fine_step > 0.0))
     throw std::invalid_argument(sentence("fine_step is %g m, expected a positive number", options.fine_step));
   if (!(options.coarse_step >= options.fine_step))
-    throw std::invalid_argument(sentence("coarse_step is %g m, expected at least fine_step = %g m", options.coarse_step,
-                                         options.fine_step));
+    throw std::invalid_argument(
+        sentence("coarse_step is %g m, expected at least fine_step = %g m", options.coarse_step, options.fine_step));
   if (!(options.max_expansion >= options.coarse_step) || !std::isfinite(options.max_expansion))
     throw std::invalid_argument(sentence("max_expansion is %g m, expected a finite number, at least coarse_step = %g m",
                                          options.max_expansion, options.coarse_step));

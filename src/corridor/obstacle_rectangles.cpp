@@ -45,8 +45,11 @@ struct BitRun
 }  // namespace
 
 ObstacleRectangles::ObstacleRectangles(const ObstacleMap& map)
-  : origin_(map.origin()), cos_(std::cos(origin_.theta)), sin_(std::sin(origin_.theta)),
-    width_(map.width() * map.resolution()), height_(map.height() * map.resolution()),
+  : origin_(map.origin()),
+    cos_(std::cos(origin_.theta)),
+    sin_(std::sin(origin_.theta)),
+    width_(map.width() * map.resolution()),
+    height_(map.height() * map.resolution()),
     tiles_{kTile * map.resolution(), tiles_along(map.width()), tiles_along(map.height())}
 {
   for (int row = 0; row < map.height(); row += kTile)

@@ -50,7 +50,9 @@ double squared_gap(const Corners& points, const Box& box)
 }  // namespace
 
 PlacedBox::PlacedBox(const ObstacleRectangles& obstacles, const Box& box)
-  : obstacles_(obstacles), box_(box), corners_(corners_of(box))
+  : obstacles_(obstacles),
+    box_(box),
+    corners_(corners_of(box))
 {
   for (Point2& corner : corners_) corner = obstacles.to_grid(corner.x, corner.y);
   bounds_ = bounds_of(corners_);

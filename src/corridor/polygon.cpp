@@ -22,8 +22,7 @@ Polygon::Polygon(const Point2& centre, double half_side)
              {{centre.x + half_side, centre.y - half_side}, -1},
              {{centre.x + half_side, centre.y + half_side}, -1},
              {{centre.x - half_side, centre.y + half_side}, -1}}
-{
-}
+{}
 
 void Polygon::cut(const HalfPlane& plane, int name)
 {

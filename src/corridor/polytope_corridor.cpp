@@ -36,9 +36,10 @@ std::string complaint(const std::vector<Pose>& knots, const std::vector<double>&
 
 std::string collision_sentence(std::size_t interval, const Point2& centre, const Pose& from, const Pose& to)
 {
-  return sentence("between knots %zu and %zu the centre of the disc at (%.6g, %.6g) m on the body meets an obstacle or the "
-                  "map's border: it goes from (%.6g, %.6g) to (%.6g, %.6g)",
-                  interval, interval + 1, centre.x, centre.y, from.x, from.y, to.x, to.y);
+  return sentence(
+      "between knots %zu and %zu the centre of the disc at (%.6g, %.6g) m on the body meets an obstacle or the "
+      "map's border: it goes from (%.6g, %.6g) to (%.6g, %.6g)",
+      interval, interval + 1, centre.x, centre.y, from.x, from.y, to.x, to.y);
 }
 
 }  // namespace

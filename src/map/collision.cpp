@@ -39,11 +39,14 @@ double least_turning_radius(const Robot& robot)
 }  // namespace
 
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
-  : map_(map), robot_(robot), discs_(two_discs(robot)), needed_(discs_),
-    stride_(std::max(kLeastStride, robot.safety_margin)), reach_(discs_.offset),
+  : map_(map),
+    robot_(robot),
+    discs_(two_discs(robot)),
+    needed_(discs_),
+    stride_(std::max(kLeastStride, robot.safety_margin)),
+    reach_(discs_.offset),
     least_clearance_(clearance_between_checks(discs_.radius, discs_.offset, least_turning_radius(robot), stride_))
-{
-}
+{}
 
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight)
   : CollisionChecker(map, robot)

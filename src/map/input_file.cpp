@@ -28,13 +28,10 @@ InputFile read_input_file(const std::string& path, std::size_t max_bytes)
   // Opening a pipe would block and a directory reads as empty, so ask before.
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    refuse_file(path, "file", "expected an existing file");
-  if (!std::filesystem::is_regular_file(status))
-    refuse_file(path, "file", "expected a regular file");
+  if (!std::filesystem::exists(status)) refuse_file(path, "file", "expected an existing file");
+  if (!std::filesystem::is_regular_file(status)) refuse_file(path, "file", "expected a regular file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error)
-    refuse_file(path, "file", "expected a readable file (" + error.message() + ")");
+  if (error) refuse_file(path, "file", "expected a readable file (" + error.message() + ")");
   if (size > max_bytes)
     refuse_file(path, "file", "expected at most " + std::to_string(max_bytes) + " bytes, got " + std::to_string(size));
 

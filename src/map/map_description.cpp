@@ -17,20 +17,15 @@ class Fields
 public:
   explicit Fields(const InputFile& file) : file_(file), root_(parse(file))
   {
-    if (!root_.IsMap())
-      file_.refuse("format", "expected a YAML mapping with image, resolution, origin, ...");
+    if (!root_.IsMap()) file_.refuse("format", "expected a YAML mapping with image, resolution, origin, ...");
   }
 
-  double number(const char* name) const
-  {
-    return to_number(scalar(name), name);
-  }
+  double number(const char* name) const { return to_number(scalar(name), name); }
 
   Pose pose(const char* name) const
   {
     const YAML::Node node = required(name);
-    if (!node.IsSequence() || node.size() != 3)
-      file_.refuse(name, "expected three numbers [x, y, yaw]");
+    if (!node.IsSequence() || node.size() != 3) file_.refuse(name, "expected three numbers [x, y, yaw]");
     return {to_number(node[0], name), to_number(node[1], name), to_number(node[2], name)};
   }
 
@@ -46,8 +41,7 @@ public:
   std::string text(const char* name) const
   {
     const YAML::Node node = scalar(name);
-    if (node.Scalar().empty())
-      file_.refuse(name, "expected a text, got an empty one");
+    if (node.Scalar().empty()) file_.refuse(name, "expected a text, got an empty one");
     return node.Scalar();
   }
 
@@ -68,16 +62,14 @@ private:
 
   YAML::Node required(const char* name) const
   {
-    if (!has(name))
-      file_.refuse(name, "missing, expected a value");
+    if (!has(name)) file_.refuse(name, "missing, expected a value");
     return root_[name];
   }
 
   YAML::Node scalar(const char* name) const
   {
     const YAML::Node node = required(name);
-    if (!node.IsScalar())
-      file_.refuse(name, "expected a single value");
+    if (!node.IsScalar()) file_.refuse(name, "expected a single value");
     return node;
   }
 
@@ -96,28 +88,23 @@ private:
 double read_resolution(const InputFile& file, const Fields& fields)
 {
   const double resolution = fields.number("resolution");
-  if (resolution <= 0.0)
-    file.refuse("resolution", "expected a number above 0, got " + std::to_string(resolution));
+  if (resolution <= 0.0) file.refuse("resolution", "expected a number above 0, got " + std::to_string(resolution));
   return resolution;
 }
 
 double read_threshold(const InputFile& file, const Fields& fields, const char* name)
 {
   const double threshold = fields.number(name);
-  if (threshold < 0.0 || threshold > 1.0)
-    file.refuse(name, "expected 0 to 1, got " + std::to_string(threshold));
+  if (threshold < 0.0 || threshold > 1.0) file.refuse(name, "expected 0 to 1, got " + std::to_string(threshold));
   return threshold;
 }
 
 ValueMode read_mode(const InputFile& file, const Fields& fields)
 {
   const std::string mode = fields.has("mode") ? fields.text("mode") : "trinary";
-  if (mode == "trinary")
-    return ValueMode::trinary;
-  if (mode == "scale")
-    return ValueMode::scale;
-  if (mode == "raw")
-    return ValueMode::raw;
+  if (mode == "trinary") return ValueMode::trinary;
+  if (mode == "scale") return ValueMode::scale;
+  if (mode == "raw") return ValueMode::raw;
   file.refuse("mode", "expected trinary, scale or raw, got " + quoted(mode));
 }
 
@@ -139,7 +126,7 @@ MapDescription read_map_description(const std::string& path)
   map.mode = read_mode(file, fields);
   if (map.occupied_thresh < map.free_thresh)
     file.refuse("occupied_thresh", "expected at least free_thresh " + std::to_string(map.free_thresh) + ", got " +
-                                     std::to_string(map.occupied_thresh));
+                                       std::to_string(map.occupied_thresh));
   return map;
 }
 

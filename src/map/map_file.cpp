@@ -37,18 +37,13 @@ Image read_image_of(const MapDescription& map, const std::string& yaml_path)
 std::int8_t cell_value(const MapDescription& map, double colour, bool is_opaque)
 {
   const double brightness = map.negate ? 255.0 - colour : colour;
-  if (map.mode == ValueMode::raw)
-    return static_cast<std::int8_t>(static_cast<std::uint8_t>(brightness));
-  if (!is_opaque)
-    return -1;
+  if (map.mode == ValueMode::raw) return static_cast<std::int8_t>(static_cast<std::uint8_t>(brightness));
+  if (!is_opaque) return -1;
   const double occupied = (255.0 - brightness) / 255.0;
-  if (occupied > map.occupied_thresh)
-    return 100;
-  if (occupied < map.free_thresh)
-    return 0;
+  if (occupied > map.occupied_thresh) return 100;
+  if (occupied < map.free_thresh) return 0;
   const double span = map.occupied_thresh - map.free_thresh;
-  if (map.mode == ValueMode::trinary || span <= 0.0)
-    return -1;
+  if (map.mode == ValueMode::trinary || span <= 0.0) return -1;
   return static_cast<std::int8_t>(1.0 + 98.0 * (occupied - map.free_thresh) / span);
 }
 
@@ -78,8 +73,7 @@ namespace
 /// The grey levels that map_server's own writer uses.
 char grey(std::int8_t cell)
 {
-  if (cell < 0 || cell > 100)
-    return static_cast<char>(205);
+  if (cell < 0 || cell > 100) return static_cast<char>(205);
   return static_cast<char>(ObstacleRule{}.is_obstacle(cell) ? 0 : 254);
 }
 
@@ -88,8 +82,7 @@ void write_pgm(const OccupancyGrid& grid, std::ostream& out)
   out << "P5\n" << grid.width << ' ' << grid.height << "\n255\n";
   for (int row = grid.height - 1; row >= 0; --row)
   {
-    for (int column = 0; column < grid.width; ++column)
-      out.put(grey(grid.at(column, row)));
+    for (int column = 0; column < grid.width; ++column) out.put(grey(grid.at(column, row)));
   }
 }
 
@@ -104,8 +97,7 @@ std::string decimal(double value)
     out << std::setprecision(digits) << value;
     text = out.str();
     double back = 0.0;
-    if (YAML::convert<double>::decode(YAML::Node(text), back) && back == value)
-      break;
+    if (YAML::convert<double>::decode(YAML::Node(text), back) && back == value) break;
   }
   return text;
 }
@@ -124,11 +116,9 @@ template <typename Write>
 void write_file(const std::string& path, const Write& write)
 {
   std::ofstream out(path, std::ios::binary);
-  if (out)
-    write(out);
+  if (out) write(out);
   out.close();
-  if (!out)
-    refuse_file(path, "file", "expected a writable file");
+  if (!out) refuse_file(path, "file", "expected a writable file");
 }
 
 }  // namespace
@@ -145,8 +135,8 @@ void write_map_file(const OccupancyGrid& grid, const std::string& stem)
   }
   const std::string image = stem + ".pgm";
   write_file(image, [&](std::ostream& out) { write_pgm(grid, out); });
-  write_file(stem + ".yaml", [&](std::ostream& out)
-             { write_yaml(grid, std::filesystem::path(image).filename().string(), out); });
+  write_file(stem + ".yaml",
+             [&](std::ostream& out) { write_yaml(grid, std::filesystem::path(image).filename().string(), out); });
 }
 
 }  // namespace fourwis

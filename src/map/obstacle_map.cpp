@@ -33,10 +33,10 @@ class LowerEnvelope
 {
 public:
   explicit LowerEnvelope(int size)
-    : squared_(static_cast<std::size_t>(size)), vertex_(static_cast<std::size_t>(size)),
+    : squared_(static_cast<std::size_t>(size)),
+      vertex_(static_cast<std::size_t>(size)),
       bound_(static_cast<std::size_t>(size) + 1)
-  {
-  }
+  {}
 
   /// Replaces row[i], the square of the distance in i's column, by the square of the distance in the plane.
   void apply(float* row, float infinity)
@@ -130,16 +130,20 @@ void check_grid(const OccupancyGrid& grid)
            ", expected at least 1 x 1 cells");
   const std::size_t cells = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
   if (grid.data.size() != cells)
-    refuse("data has " + std::to_string(grid.data.size()) + " cells, expected width x height = " +
-           std::to_string(cells));
+    refuse("data has " + std::to_string(grid.data.size()) +
+           " cells, expected width x height = " + std::to_string(cells));
   if (!std::isfinite(grid.resolution) || grid.resolution <= 0.0)
     refuse("resolution is " + std::to_string(grid.resolution) + " m, expected a positive number");
   if (!is_finite(grid.origin)) refuse("origin is not finite");
 }
 
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)
-  : width_(grid.width), height_(grid.height), resolution_(grid.resolution), origin_(grid.origin),
-    cos_(std::cos(grid.origin.theta)), sin_(std::sin(grid.origin.theta)),
+  : width_(grid.width),
+    height_(grid.height),
+    resolution_(grid.resolution),
+    origin_(grid.origin),
+    cos_(std::cos(grid.origin.theta)),
+    sin_(std::sin(grid.origin.theta)),
     slack_(M_SQRT2 * grid.resolution * (1.0 + 1e-5))
 {
   check_grid(grid);
@@ -238,9 +242,10 @@ bool ObstacleMap::is_clear(double x, double y, double radius, double& clearance)
   if (bound + slack_ < 0.0) return false;
   if (bound >= clearance) return true;
   // Far from obstacles the bound is good enough, close to them a cell more or less makes the difference.
-  const double exact = bound >= kExactWithin * slack_
-                           ? bound
-                           : exact_cells(u, v, (radius + bound + slack_) / resolution_, radius / resolution_) * resolution_ - radius;
+  const double exact =
+      bound >= kExactWithin * slack_
+          ? bound
+          : exact_cells(u, v, (radius + bound + slack_) / resolution_, radius / resolution_) * resolution_ - radius;
   if (exact < 0.0) return false;
   clearance = std::min(clearance, exact);
   return true;

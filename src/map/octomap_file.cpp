@@ -16,9 +16,10 @@ class NodeWalk
 {
 public:
   NodeWalk(const InputFile& file, const OctomapHeader& header)
-    : file_(file), position_(header.data), payload_(header.id == "ColorOcTree" ? 7 : 4)
-  {
-  }
+    : file_(file),
+      position_(header.data),
+      payload_(header.id == "ColorOcTree" ? 7 : 4)
+  {}
 
   long long count() const { return count_; }
 
@@ -27,8 +28,7 @@ public:
   {
     const char* bytes = take(2, depth + 1);  // its children lie one deeper
     const unsigned codes = static_cast<unsigned char>(bytes[0]) | static_cast<unsigned char>(bytes[1]) << 8;
-    if (codes == 0)
-      file_.refuse("data", "damaged, expected an inner node to have children");
+    if (codes == 0) file_.refuse("data", "damaged, expected an inner node to have children");
     ++count_;
     for (int child = 0; child < 8; ++child)
     {
@@ -46,23 +46,19 @@ public:
     const char* bytes = take(payload_ + 1, depth);
     float log_odds = 0.0F;
     std::memcpy(&log_odds, bytes, sizeof log_odds);
-    if (!std::isfinite(log_odds))
-      file_.refuse("data", "damaged, expected finite log odds");
+    if (!std::isfinite(log_odds)) file_.refuse("data", "damaged, expected finite log odds");
     ++count_;
     for (int child = 0; child < 8; ++child)
     {
-      if (static_cast<unsigned char>(bytes[payload_]) >> child & 1)
-        full(depth + 1);
+      if (static_cast<unsigned char>(bytes[payload_]) >> child & 1) full(depth + 1);
     }
   }
 
 private:
   const char* take(std::size_t size, int depth)
   {
-    if (depth > tree_depth)
-      file_.refuse("data", "damaged, expected a tree of depth " + std::to_string(tree_depth));
-    if (file_.bytes.size() - position_ < size)
-      file_.refuse("data", "truncated, expected more nodes");
+    if (depth > tree_depth) file_.refuse("data", "damaged, expected a tree of depth " + std::to_string(tree_depth));
+    if (file_.bytes.size() - position_ < size) file_.refuse("data", "truncated, expected more nodes");
     position_ += size;
     return file_.bytes.data() + position_ - size;
   }
@@ -110,8 +106,7 @@ OctomapHeader read_octomap_header(const InputFile& file)
   read_fields(lines, header);
   if (header.data == 0 || header.data > file.bytes.size())
     file.refuse("data", "missing, expected the nodes after the header");
-  if (header.nodes < 0)
-    file.refuse("size", "expected a number of nodes");
+  if (header.nodes < 0) file.refuse("size", "expected a number of nodes");
   if (!(header.resolution > 0.0) || !std::isfinite(header.resolution * (1 << tree_depth)))
     file.refuse("res", "expected a finite number above 0");
   if (header.id != "OcTree" && header.id != "ColorOcTree" && header.id != "OcTreeStamped")
@@ -122,8 +117,7 @@ OctomapHeader read_octomap_header(const InputFile& file)
 void check_octomap_nodes(const InputFile& file, const OctomapHeader& header)
 {
   NodeWalk walk(file, header);
-  if (header.nodes > 0)
-    header.is_binary ? walk.binary(0) : walk.full(0);
+  if (header.nodes > 0) header.is_binary ? walk.binary(0) : walk.full(0);
   if (walk.count() != header.nodes)
     file.refuse("size", "expected " + std::to_string(header.nodes) + " nodes, got " + std::to_string(walk.count()));
 }

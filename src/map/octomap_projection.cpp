@@ -57,8 +57,7 @@ Block block_of(const Tree& tree, const typename Tree::leaf_iterator& leaf)
 {
   const octomap::OcTreeKey corner = leaf.getIndexKey();
   const int size = 1 << (tree.getTreeDepth() - leaf.getDepth());
-  const auto along = [&](unsigned axis)
-  {
+  const auto along = [&](unsigned axis) {
     const int first = corner[axis] - center_key;
     return Interval{first, first + size - 1};
   };
@@ -74,8 +73,7 @@ std::vector<Block> blocks_in(const Tree& tree, const Interval& band)
   for (auto leaf = tree.begin_leafs(); leaf != end; ++leaf)
   {
     const Block block = block_of(tree, leaf);
-    if (block.z.overlaps(band))
-      blocks.push_back(block);
+    if (block.z.overlaps(band)) blocks.push_back(block);
   }
   return blocks;
 }
@@ -85,8 +83,7 @@ std::vector<Block> read_blocks(const InputFile& file, const OctomapHeader& heade
 {
   Tree tree(header.resolution);
   std::istringstream nodes(file.bytes.substr(header.data));
-  if (header.nodes > 0)
-    header.is_binary ? tree.readBinaryData(nodes) : tree.readData(nodes);
+  if (header.nodes > 0) header.is_binary ? tree.readBinaryData(nodes) : tree.readData(nodes);
   return blocks_in(tree, voxels_in(band, header.resolution));
 }
 
@@ -94,11 +91,10 @@ std::vector<Block> read_blocks(const InputFile& file, const OctomapHeader& heade
 OccupancyGrid empty_grid(const InputFile& file, const std::vector<Block>& blocks, const Interval& x, const Interval& y,
                          double resolution)
 {
-  if (blocks.empty())
-    file.refuse("data", "expected known voxels in the height band, got none");
+  if (blocks.empty()) file.refuse("data", "expected known voxels in the height band, got none");
   if (x.size() > max_map_cells / y.size())
     file.refuse("data", "expected at most " + std::to_string(max_map_cells) + " cells, got " +
-                          std::to_string(x.size()) + " x " + std::to_string(y.size()));
+                            std::to_string(x.size()) + " x " + std::to_string(y.size()));
   OccupancyGrid grid{static_cast<int>(x.size()), static_cast<int>(y.size()), resolution, {}, {}};
   grid.origin = {x.first * resolution, y.first * resolution, 0.0};
   grid.data.assign(static_cast<std::size_t>(x.size() * y.size()), -1);

@@ -22,18 +22,14 @@ bool is_digit(char c)
 class PgmReader
 {
 public:
-  explicit PgmReader(const InputFile& file) : file_(file), bytes_(file.bytes), position_(2)
-  {
-  }
+  explicit PgmReader(const InputFile& file) : file_(file), bytes_(file.bytes), position_(2) {}
 
   /// The next decimal number, after white space and comments; numbers beyond every limit are cut short.
   long long number(const char* field)
   {
     skip_space_and_comments();
-    if (position_ == bytes_.size())
-      file_.refuse(field, "truncated, expected a number");
-    if (!is_digit(bytes_[position_]))
-      file_.refuse(field, "expected a number");
+    if (position_ == bytes_.size()) file_.refuse(field, "truncated, expected a number");
+    if (!is_digit(bytes_[position_])) file_.refuse(field, "expected a number");
     long long value = 0;
     for (; position_ < bytes_.size() && is_digit(bytes_[position_]); ++position_)
       value = std::min(10 * value + (bytes_[position_] - '0'), too_large);
@@ -54,8 +50,7 @@ public:
   long long binary(int size)
   {
     long long value = 0;
-    for (int i = 0; i < size; ++i)
-      value = 256 * value + static_cast<unsigned char>(bytes_[position_++]);
+    for (int i = 0; i < size; ++i) value = 256 * value + static_cast<unsigned char>(bytes_[position_++]);
     return value;
   }
 
@@ -65,8 +60,8 @@ public:
     const auto left = static_cast<long long>(bytes_.size() - position_);
     if (left < size)
     {
-      file_.refuse("pixels", "truncated, expected at least " + std::to_string(size) + " bytes, got " +
-                               std::to_string(left));
+      file_.refuse("pixels",
+                   "truncated, expected at least " + std::to_string(size) + " bytes, got " + std::to_string(left));
     }
   }
 
@@ -77,8 +72,7 @@ private:
   {
     for (; position_ < bytes_.size() && (is_space(bytes_[position_]) || bytes_[position_] == '#'); ++position_)
     {
-      if (bytes_[position_] == '#')
-        position_ = std::min(bytes_.find('\n', position_), bytes_.size() - 1);
+      if (bytes_[position_] == '#') position_ = std::min(bytes_.find('\n', position_), bytes_.size() - 1);
     }
   }
 
@@ -96,8 +90,7 @@ Image decode_pgm(const InputFile& file)
   const long long height = reader.number("height");
   check_image_size(file, width, height);
   const long long maxval = reader.number("maxval");
-  if (maxval < 1 || maxval > 65535)
-    file.refuse("maxval", "expected 1 to 65535, got " + std::to_string(maxval));
+  if (maxval < 1 || maxval > 65535) file.refuse("maxval", "expected 1 to 65535, got " + std::to_string(maxval));
   reader.end_of_header();
 
   const bool is_binary = file.bytes[1] == '5';

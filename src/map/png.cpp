@@ -20,14 +20,10 @@ public:
   {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
-    if (info_)
-      png_set_read_fn(png_, this, on_read);
+    if (info_) png_set_read_fn(png_, this, on_read);
   }
 
-  ~PngReader()
-  {
-    png_destroy_read_struct(&png_, &info_, nullptr);
-  }
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
@@ -41,8 +37,7 @@ public:
 
   bool read_header()
   {
-    if (setjmp(png_jmpbuf(png_)))
-      return false;
+    if (setjmp(png_jmpbuf(png_))) return false;
     png_read_info(png_, info_);
     return true;
   }
@@ -50,8 +45,7 @@ public:
   /// Makes every kind of PNG 8 bits per sample, palette and transparent colours resolved.
   bool expand()
   {
-    if (setjmp(png_jmpbuf(png_)))
-      return false;
+    if (setjmp(png_jmpbuf(png_))) return false;
     png_set_expand(png_);
     png_set_strip_16(png_);
     png_set_interlace_handling(png_);
@@ -61,8 +55,7 @@ public:
 
   bool read_pixels(png_bytepp rows)
   {
-    if (setjmp(png_jmpbuf(png_)))
-      return false;
+    if (setjmp(png_jmpbuf(png_))) return false;
     png_read_image(png_, rows);
     png_read_end(png_, nullptr);
     return true;
@@ -72,8 +65,7 @@ private:
   static void on_read(png_structp png, png_bytep out, std::size_t size)
   {
     auto* self = static_cast<PngReader*>(png_get_io_ptr(png));
-    if (size > self->file_.bytes.size() - self->position_)
-      png_error(png, "truncated");
+    if (size > self->file_.bytes.size() - self->position_) png_error(png, "truncated");
     std::memcpy(out, self->file_.bytes.data() + self->position_, size);
     self->position_ += size;
   }
@@ -85,9 +77,7 @@ private:
     png_longjmp(png, 1);
   }
 
-  static void on_warning(png_structp, png_const_charp)
-  {
-  }
+  static void on_warning(png_structp, png_const_charp) {}
 
   const InputFile& file_;
   std::size_t position_ = 0;
@@ -107,17 +97,16 @@ Image decode_png(const InputFile& file)
   // Deflate shrinks by at most 1032, so a small file cannot hold a large picture.
   if (reader.row_bytes() * reader.height() > 1032 * file.bytes.size())
     file.refuse("pixels", "truncated, the file is too short for its size of " + std::to_string(reader.width()) + " x " +
-                            std::to_string(reader.height()));
+                              std::to_string(reader.height()));
   if (!reader.expand())
     file.refuse("header", std::string("expected a PNG that libpng can convert to 8 bits: ") + reader.error());
 
   const int channels = reader.channels();
-  Image image{static_cast<int>(reader.width()), static_cast<int>(reader.height()), channels < 3 ? 1 : 3,
-              channels % 2 == 0, {}};
+  Image image{
+      static_cast<int>(reader.width()), static_cast<int>(reader.height()), channels < 3 ? 1 : 3, channels % 2 == 0, {}};
   image.samples.resize(reader.row_bytes() * reader.height());
   std::vector<png_bytep> rows(reader.height());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    rows[row] = image.samples.data() + row * reader.row_bytes();
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = image.samples.data() + row * reader.row_bytes();
   if (!reader.read_pixels(rows.data()))
     file.refuse("pixels", std::string("expected complete PNG data: ") + reader.error());
   return image;

@@ -41,9 +41,9 @@ void Filter::add(double violation, double barrier)
 
 bool Filter::accepts(double violation, double barrier) const
 {
-  return violation <= greatest_violation_ &&
-         std::none_of(entries_.begin(), entries_.end(), [&](const Entry& entry)
-                      { return violation >= entry.violation && barrier >= entry.barrier; });
+  return violation <= greatest_violation_ && std::none_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+           return violation >= entry.violation && barrier >= entry.barrier;
+         });
 }
 
 Filter::Verdict Filter::judge(const SearchPoint& start, double alpha, double violation, double barrier) const
@@ -52,8 +52,8 @@ Filter::Verdict Filter::judge(const SearchPoint& start, double alpha, double vio
   const double change = barrier - start.barrier - rounding(start.barrier);
   if (start.violation <= small_violation_ && promises_decrease(start, alpha))
     return change <= kArmijo * alpha * start.slope ? Verdict::reduces_barrier : Verdict::rejected;
-  const bool progress = violation <= (1.0 - kViolationMargin) * start.violation ||
-                        change <= -kBarrierMargin * start.violation;
+  const bool progress =
+      violation <= (1.0 - kViolationMargin) * start.violation || change <= -kBarrierMargin * start.violation;
   return progress ? Verdict::makes_progress : Verdict::rejected;
 }
 

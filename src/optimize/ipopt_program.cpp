@@ -28,8 +28,7 @@ void for_triangle(const NlpElement::Pattern& pattern, Visit visit)
 
 }  // namespace
 
-IpoptProgram::IpoptProgram(const Nlp& nlp, const Interrupt& interrupt)
-  : nlp_(nlp), interrupt_(interrupt), x_(nlp.start)
+IpoptProgram::IpoptProgram(const Nlp& nlp, const Interrupt& interrupt) : nlp_(nlp), interrupt_(interrupt), x_(nlp.start)
 {
   for (const auto& element : nlp.elements)
   {
@@ -152,8 +151,8 @@ bool IpoptProgram::eval_jac_g(Ipopt::Index, const Ipopt::Number* x, bool, Ipopt:
 }
 
 bool IpoptProgram::eval_h(Ipopt::Index, const Ipopt::Number* x, bool, Ipopt::Number s, Ipopt::Index,
-                          const Ipopt::Number* y, bool, Ipopt::Index entries, Ipopt::Index* rows,
-                          Ipopt::Index* columns, Ipopt::Number* values)
+                          const Ipopt::Number* y, bool, Ipopt::Index entries, Ipopt::Index* rows, Ipopt::Index* columns,
+                          Ipopt::Number* values)
 {
   std::size_t entry = 0;
   for (std::size_t i = 0; i < nlp_.elements.size(); ++i)
@@ -184,10 +183,9 @@ bool IpoptProgram::intermediate_callback(Ipopt::AlgorithmMode, Ipopt::Index iter
   return !interrupt_.cancelled() && !interrupt_.timed_out();
 }
 
-void IpoptProgram::finalize_solution(Ipopt::SolverReturn, Ipopt::Index n, const Ipopt::Number* x,
-                                     const Ipopt::Number*, const Ipopt::Number*, Ipopt::Index, const Ipopt::Number*,
-                                     const Ipopt::Number*, Ipopt::Number, const Ipopt::IpoptData*,
-                                     Ipopt::IpoptCalculatedQuantities*)
+void IpoptProgram::finalize_solution(Ipopt::SolverReturn, Ipopt::Index n, const Ipopt::Number* x, const Ipopt::Number*,
+                                     const Ipopt::Number*, Ipopt::Index, const Ipopt::Number*, const Ipopt::Number*,
+                                     Ipopt::Number, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*)
 {
   x_.assign(x, x + n);
 }

@@ -16,18 +16,19 @@ bool fits(const Segment& segment, const Corridor& corridor, const Trajectory* pr
 {
   const std::size_t n = segment.intervals();
   return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && !corridor.empty() &&
-         std::all_of(corridor.begin(), corridor.end(), [n](const DiscRegions& disc) { return disc.regions.size() == n; }) &&
-         (!previous || previous->size() == n + 1) &&
-         (pinned.empty() || pinned.size() == n + 1) &&
+         std::all_of(corridor.begin(), corridor.end(),
+                     [n](const DiscRegions& disc) { return disc.regions.size() == n; }) &&
+         (!previous || previous->size() == n + 1) && (pinned.empty() || pinned.size() == n + 1) &&
          std::find(kPlannedModes.begin(), kPlannedModes.end(), segment.mode) != kPlannedModes.end();
 }
 
 }  // namespace
 
 IpoptSegmentOptimizer::IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed)
-  : robot_(robot), options_(options), reference_speed_(reference_speed)
-{
-}
+  : robot_(robot),
+    options_(options),
+    reference_speed_(reference_speed)
+{}
 
 SegmentSolution IpoptSegmentOptimizer::solve(const Segment& segment, const Corridor& corridor,
                                              const Trajectory* previous, const std::vector<char>& pinned,

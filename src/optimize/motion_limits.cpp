@@ -22,7 +22,8 @@ double wheel_gain(const Robot& robot, Mode mode, double phi)
   double gain = 0.0;
   for (double angle : {phi, -phi})
   {
-    const WheelAngles below = wheel_angles(robot, mode, angle - kStep), above = wheel_angles(robot, mode, angle + kStep);
+    const WheelAngles below = wheel_angles(robot, mode, angle - kStep),
+                      above = wheel_angles(robot, mode, angle + kStep);
     for (std::size_t i = 0; i < below.size(); ++i)
       gain = std::max(gain, std::abs(std::remainder(above[i] - below[i], M_PI)) / (2.0 * kStep));
   }

@@ -37,11 +37,12 @@ public:
 protected:
   /// All rows 0, all derivatives different from zero; for the constructors of derived classes to change.
   NlpElement(std::vector<int> the_variables, Eigen::Index rows)
-    : variables(std::move(the_variables)), row_lower(Eigen::VectorXd::Zero(rows)),
-      row_upper(Eigen::VectorXd::Zero(rows)), jacobian_pattern(Pattern::Constant(rows, size(), true)),
+    : variables(std::move(the_variables)),
+      row_lower(Eigen::VectorXd::Zero(rows)),
+      row_upper(Eigen::VectorXd::Zero(rows)),
+      jacobian_pattern(Pattern::Constant(rows, size(), true)),
       hessian_pattern(Pattern::Constant(size(), size(), true))
-  {
-  }
+  {}
 
 private:
   Eigen::Index size() const { return static_cast<Eigen::Index>(variables.size()); }

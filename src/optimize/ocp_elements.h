@@ -109,8 +109,11 @@ public:
   /// `point` are the indices of q, which may be fewer than NQ at k = N; `excess` those of e, -1 for a hard row.
   RowsElement(const Model& model, int k, const std::vector<int>& point, const std::vector<int>& excess,
               const std::vector<ocp::RowLimit>& limits)
-    : NlpElement(joined(point, excess), static_cast<Eigen::Index>(limits.size())), model_(model), k_(k),
-      point_size_(static_cast<Eigen::Index>(point.size())), limits_(limits)
+    : NlpElement(joined(point, excess), static_cast<Eigen::Index>(limits.size())),
+      model_(model),
+      k_(k),
+      point_size_(static_cast<Eigen::Index>(point.size())),
+      limits_(limits)
   {
     row_lower.setConstant(-ocp::kInfinity);
     jacobian_pattern.rightCols(jacobian_pattern.cols() - point_size_).setConstant(false);

@@ -16,7 +16,9 @@ constexpr int kCoordinates = 4;
 
 PaperDiscs::PaperDiscs(double offset, const PaperOptions& options, std::size_t steps, const Box& front, const Box& rear,
                        std::vector<int> the_variables)
-  : NlpElement(std::move(the_variables), kCoordinates), offset_(offset), weight_(options.penalty),
+  : NlpElement(std::move(the_variables), kCoordinates),
+    offset_(offset),
+    weight_(options.penalty),
     steps_(static_cast<double>(steps))
 {
   row_lower << front.x_min, front.y_min, rear.x_min, rear.y_min;

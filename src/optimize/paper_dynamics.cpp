@@ -24,9 +24,10 @@ enum Index
 }  // namespace
 
 EulerDynamics::EulerDynamics(const Robot& robot, Mode mode)
-  : k_(curvature(robot, mode, M_PI_4)), beta_(course(mode, 0.0)), gamma_(course(mode, 1.0) - course(mode, 0.0))
-{
-}
+  : k_(curvature(robot, mode, M_PI_4)),
+    beta_(course(mode, 0.0)),
+    gamma_(course(mode, 1.0) - course(mode, 0.0))
+{}
 
 EulerDynamics::State EulerDynamics::next(const Variables& z) const
 {

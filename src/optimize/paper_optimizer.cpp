@@ -41,7 +41,9 @@ bool fits(const Segment& segment, const BoxCorridor& boxes, const Trajectory* pr
 }  // namespace
 
 PaperOptimizer::PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed)
-  : robot_(robot), options_(options), reference_speed_(reference_speed)
+  : robot_(robot),
+    options_(options),
+    reference_speed_(reference_speed)
 {
   check("steering_comfort", options.steering_comfort, 0.0, 1e6);
   check("penalty", options.penalty, 1.0, 1e12);

@@ -63,8 +63,7 @@ PaperProblem::PaperProblem(const Segment& segment, const BoxCorridor& boxes, con
     std::vector<int> variables(states_[k].begin(), states_[k].end());
     variables.insert(variables.end(), {controls_[k][0], controls_[k][1], duration_});
     variables.insert(variables.end(), states_[k + 1].begin(), states_[k + 1].end());
-    for (int i = 0; i < EulerDynamics::kStates; ++i)
-      variables.push_back(nlp_.add_variable(-kInfinity, kInfinity, 0.0));
+    for (int i = 0; i < EulerDynamics::kStates; ++i) variables.push_back(nlp_.add_variable(-kInfinity, kInfinity, 0.0));
     nlp_.elements.push_back(std::make_unique<PaperStep>(dynamics, options, n, variables));
   }
   for (std::size_t k = 1; k < n; ++k)

@@ -16,8 +16,11 @@ constexpr int kNext = PaperStep::kNext, kResidual = PaperStep::kResidual;
 
 PaperStep::PaperStep(const EulerDynamics& dynamics, const PaperOptions& options, std::size_t steps,
                      std::vector<int> the_variables)
-  : NlpElement(std::move(the_variables), kStates), dynamics_(dynamics), alpha_(options.steering_comfort),
-    weight_(options.penalty), steps_(static_cast<double>(steps))
+  : NlpElement(std::move(the_variables), kStates),
+    dynamics_(dynamics),
+    alpha_(options.steering_comfort),
+    weight_(options.penalty),
+    steps_(static_cast<double>(steps))
 {
   jacobian_pattern.setConstant(false);
   hessian_pattern.setConstant(false);

@@ -15,7 +15,7 @@ namespace fourwis
 class PaperStep : public NlpElement
 {
 public:
-  static constexpr int kNext = EulerDynamics::kVariables;         ///< where x+ begins among the variables
+  static constexpr int kNext = EulerDynamics::kVariables;           ///< where x+ begins among the variables
   static constexpr int kResidual = kNext + EulerDynamics::kStates;  ///< where d begins
 
   /// `variables`: x, u, T, x+, d.

@@ -35,9 +35,10 @@ void take(const Solver::Solution& solution, Mode mode, SegmentSolution& result)
 }  // namespace
 
 SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed)
-  : robot_(robot), options_(options), reference_speed_(reference_speed)
-{
-}
+  : robot_(robot),
+    options_(options),
+    reference_speed_(reference_speed)
+{}
 
 SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
                                         const std::vector<char>& pinned, double tolerance,
@@ -54,7 +55,8 @@ SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& 
     solver_options.tolerance = tolerance;
     solver_options.max_iterations = effort.iterations;
     solver_options.initial_barrier = effort.barrier;
-    take(solver.solve(problem.model, problem.numbers, guess, solver_options, nullptr, interrupted), segment.mode, result);
+    take(solver.solve(problem.model, problem.numbers, guess, solver_options, nullptr, interrupted), segment.mode,
+         result);
   };
   if (!previous)
     try_with(kCold, reference_guess(segment, limits, problem.model.h_ref));

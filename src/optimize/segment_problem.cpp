@@ -205,7 +205,9 @@ ocp::Trajectory<5, 3> reference_guess(const Segment& segment, const MotionLimits
   {
     const Pose& pose = segment.knots[k];
     const double v = is_at_rest(segment, k) ? 0.0 : std::copysign(limits.speed, segment.length[k]);
-    const double phi = k == 0 ? segment.phi[0] : k == n ? segment.phi[n - 1] : (segment.phi[k - 1] + segment.phi[k]) / 2;
+    const double phi = k == 0   ? segment.phi[0]
+                       : k == n ? segment.phi[n - 1]
+                                : (segment.phi[k - 1] + segment.phi[k]) / 2;
     guess.states.emplace_back();
     guess.states.back() << pose.x, pose.y, pose.theta, v, phi;
   }

@@ -41,8 +41,8 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows + 1>
   void differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const;
 
   SimpsonDynamics dynamics;
-  WheelRateRows wheel_rates;           ///< the first rows of each interval
-  double reach = 1.0;                  ///< most that C moves within an interval [m]: the row after them
+  WheelRateRows wheel_rates;  ///< the first rows of each interval
+  double reach = 1.0;         ///< most that C moves within an interval [m]: the row after them
   double alpha = 0.0, interval_weight = 0.0, h_ref = 0.0;
   std::vector<DiscRow> disc_rows;      ///< stage by stage
   std::vector<std::size_t> first_row;  ///< of each stage in disc_rows

@@ -48,10 +48,12 @@ struct SimpsonDynamics::Nodes
 };
 
 SimpsonDynamics::SimpsonDynamics(const Robot& robot, Mode mode)
-  : k_(mode == Mode::ackermann ? 2.0 / robot.wheelbase : mode == Mode::lateral ? 2.0 / robot.track_width : 0.0),
-    beta_(mode == Mode::lateral ? M_PI_2 : 0.0), gamma_(mode == Mode::parallel ? 1.0 : 0.0)
-{
-}
+  : k_(mode == Mode::ackermann ? 2.0 / robot.wheelbase
+       : mode == Mode::lateral ? 2.0 / robot.track_width
+                               : 0.0),
+    beta_(mode == Mode::lateral ? M_PI_2 : 0.0),
+    gamma_(mode == Mode::parallel ? 1.0 : 0.0)
+{}
 
 SimpsonDynamics::Nodes SimpsonDynamics::nodes(const State& x, const Control& u) const
 {

@@ -27,9 +27,10 @@ double lowest(double c)
 }  // namespace
 
 WheelRateRows::WheelRateRows(const Robot& robot, Mode mode)
-  : ratio_(ratio(robot, mode)), lowest_(lowest(ratio_)), inverse_rate_(1.0 / MotionLimits::wheel_rate(robot))
-{
-}
+  : ratio_(ratio(robot, mode)),
+    lowest_(lowest(ratio_)),
+    inverse_rate_(1.0 / MotionLimits::wheel_rate(robot))
+{}
 
 WheelRateRows::Share WheelRateRows::share(double phi) const
 {

@@ -76,10 +76,10 @@ void add_ranger(Table& table)
   for (std::size_t wheel = 0; wheel < kWheels; ++wheel)
     table.push_back({std::string("ranger/place/") + kWheelNames[wheel],
                      [wheel](BridgeOptions& options) -> Slot { return &options.ranger.place[wheel]; }, 1, kWheels});
-  table.push_back({"ranger/side_slip_mode",
-                   [](BridgeOptions& options) -> Slot { return &options.ranger.side_slip_mode; }, 0, 255});
-  table.push_back({"ranger/spin_by_speed",
-                   [](BridgeOptions& options) -> Slot { return &options.ranger.spin_by_speed; }});
+  table.push_back(
+      {"ranger/side_slip_mode", [](BridgeOptions& options) -> Slot { return &options.ranger.side_slip_mode; }, 0, 255});
+  table.push_back(
+      {"ranger/spin_by_speed", [](BridgeOptions& options) -> Slot { return &options.ranger.spin_by_speed; }});
 }
 
 void add_motion(Table& table)
@@ -112,8 +112,7 @@ void add_watchdogs(Table& table)
 
 const Table& bridge_table()
 {
-  static const Table table = []
-  {
+  static const Table table = [] {
     Table rows;
     add_protocol(rows);
     add_drives(rows);

@@ -8,13 +8,13 @@ namespace
 /// The ranges are the tracker's own.
 const ParameterTable<TrackOptions>& track_table()
 {
-  static const ParameterTable<TrackOptions> table = []
-  {
+  static const ParameterTable<TrackOptions> table = [] {
     ParameterTable<TrackOptions> rows;
     for (const TrackOptionRange& range : track_option_ranges())
     {
-      const auto slot = [member = range.member](TrackOptions& options)
-      { return std::visit([&](auto number) -> Slot { return &(options.*number); }, member); };
+      const auto slot = [member = range.member](TrackOptions& options) {
+        return std::visit([&](auto number) -> Slot { return &(options.*number); }, member);
+      };
       rows.push_back({range.name, slot, range.min, range.max, range.unit});
     }
     return rows;

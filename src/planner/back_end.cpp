@@ -117,8 +117,7 @@ void finish(const Robot& robot, const Interrupt& interrupt, Refinement& refineme
 }  // namespace
 
 Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                  const OptimizeOptions& options, double reference_speed, const Path& path,
-                  const Interrupt& interrupt)
+                  const OptimizeOptions& options, double reference_speed, const Path& path, const Interrupt& interrupt)
 {
   const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
   const std::vector<Path> paths = parts_between_switches(path);

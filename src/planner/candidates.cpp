@@ -74,8 +74,8 @@ Candidates find_several(const FrontEnd& front_end, const Robot& robot, const Sea
 
   std::vector<SearchResult> results(wishes.size());
   in_parallel(wishes.size(), [&](std::size_t i) {
-    results[i] = front_end.find(wishes[i].options, wishes[i].modes, wishes[i].effort, interrupt,
-                                i == 0 ? expanded : nullptr);
+    results[i] =
+        front_end.find(wishes[i].options, wishes[i].modes, wishes[i].effort, interrupt, i == 0 ? expanded : nullptr);
   });
   return collect(results);
 }

@@ -48,7 +48,8 @@ double greatest_disc_speed(const Robot& robot, const std::vector<DiscCover>& cov
 {
   double reach = 0.0;
   for (const DiscCover& discs : covers) reach = std::max(reach, discs.reach());
-  const double kappa = std::max(std::abs(curvature(robot, from.mode, from.phi)), std::abs(curvature(robot, from.mode, to.phi)));
+  const double kappa =
+      std::max(std::abs(curvature(robot, from.mode, from.phi)), std::abs(curvature(robot, from.mode, to.phi)));
   return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * reach);
 }
 

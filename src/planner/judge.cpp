@@ -29,10 +29,10 @@ std::size_t judge(const World& world, const PlanRequest& request, std::vector<Tr
   metrics.terminal_yaw_error = verdict.terminal_yaw_error;
   measure(result.trajectory, world.robot, metrics);
   result.status = verdict.accepted() ? PlanStatus::succeeded : PlanStatus::verification_failed;
-  result.message = verdict.accepted() ? sentence("%.2f m in %.2f s with %d mode switch%s", metrics.length,
-                                                 metrics.arrival_time, metrics.switches,
-                                                 metrics.switches == 1 ? "" : "es")
-                                      : verdict.violations.front().what;
+  result.message = verdict.accepted()
+                       ? sentence("%.2f m in %.2f s with %d mode switch%s", metrics.length, metrics.arrival_time,
+                                  metrics.switches, metrics.switches == 1 ? "" : "es")
+                       : verdict.violations.front().what;
   if (!verdict.accepted()) result.trajectory.clear();
   return chosen;
 }

@@ -12,7 +12,10 @@ constexpr double kStandardDeviation = 0.15;  ///< eta of paper eq. (30)
 constexpr double kStandstill = 0.01;         ///< epsilon_v of paper eq. (30), which does not say how much [m/s]
 constexpr double kLeastChord = 1e-6;         ///< closer points have no curvature [m]
 
-double chord(const TrajectoryPoint& a, const TrajectoryPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double chord(const TrajectoryPoint& a, const TrajectoryPoint& b)
+{
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 /// Curvature of the circle through three points, paper eq. (27) [1/m].
 double three_point_curvature(const TrajectoryPoint& a, const TrajectoryPoint& b, const TrajectoryPoint& c)
@@ -24,8 +27,8 @@ double three_point_curvature(const TrajectoryPoint& a, const TrajectoryPoint& b,
 bool one_motion(const TrajectoryPoint& a, const TrajectoryPoint& b, const TrajectoryPoint& c)
 {
   return a.mode == b.mode && b.mode == c.mode && a.v * b.v >= 0.0 && b.v * c.v >= 0.0 &&
-         (a.v + b.v) * (b.v + c.v) > 0.0 && chord(a, b) > kLeastChord &&
-         chord(b, c) > kLeastChord && chord(a, c) > kLeastChord;
+         (a.v + b.v) * (b.v + c.v) > 0.0 && chord(a, b) > kLeastChord && chord(b, c) > kLeastChord &&
+         chord(a, c) > kLeastChord;
 }
 
 /// Whether the motion between two points is one of the standard ones, paper eq. (28) to (30).

@@ -53,10 +53,12 @@ class PaperLoop
 public:
   PaperLoop(const ObstacleRectangles& obstacles, const Robot& robot, const PaperBackEndOptions& options,
             double reference_speed, const Interrupt& interrupt)
-    : obstacles_(obstacles), discs_(two_discs(robot)), options_(options),
-      optimizer_(robot, options.program, reference_speed), interrupt_(interrupt)
-  {
-  }
+    : obstacles_(obstacles),
+      discs_(two_discs(robot)),
+      options_(options),
+      optimizer_(robot, options.program, reference_speed),
+      interrupt_(interrupt)
+  {}
 
   /// corridor <-> program for one segment.
   Outcome run(const Segment& segment) const

@@ -47,14 +47,15 @@ std::string search_sentence(PlanStatus status, int expansions, const PlanRequest
     case PlanStatus::goal_unreachable:
       return sentence("the robot cannot get from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f): %s", request.start.x,
                       request.start.y, request.start.theta, request.goal.x, request.goal.y, request.goal.theta,
-                      may_turn(request.start, request.goal, request.modes) ? "no way is wide enough" : "parallel motion alone does not turn");
+                      may_turn(request.start, request.goal, request.modes) ? "no way is wide enough"
+                                                                           : "parallel motion alone does not turn");
     case PlanStatus::timeout: return sentence("planner_patience was over after %d expansions", expansions);
     case PlanStatus::cancelled: return sentence("cancelled after %d expansions", expansions);
     default:
       return sentence("no path found in %d expansions, and no proof that there is none: %s", expansions,
                       request.modes.ackermann && request.modes.lateral && request.modes.parallel
-                        ? "the way may be too narrow to turn in"
-                        : "more modes may get through");
+                          ? "the way may be too narrow to turn in"
+                          : "more modes may get through");
   }
 }
 

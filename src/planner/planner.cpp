@@ -64,10 +64,10 @@ Candidates find(const Task& task, PlanResult& result)
   const PlanRequest& request = task.request;
   std::vector<Pose>* expanded = task.trace ? &task.trace->expanded : nullptr;
   const FrontEnd front_end(task.checker, task.world.robot, request.start, request.goal, task.interrupt);
-  Candidates found = request.frontend_only || is_paper(task.options)
-                         ? find_one(front_end, task.options.search, request.modes, task.interrupt, expanded)
-                         : find_several(front_end, task.world.robot, task.options.search, request.modes, task.interrupt,
-                                        expanded);
+  Candidates found =
+      request.frontend_only || is_paper(task.options)
+          ? find_one(front_end, task.options.search, request.modes, task.interrupt, expanded)
+          : find_several(front_end, task.world.robot, task.options.search, request.modes, task.interrupt, expanded);
   result.metrics.expansions = found.expansions;
   result.metrics.frontend_ms = ms_since(begin);
   result.status = task.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
@@ -106,9 +106,8 @@ std::vector<std::size_t> fastest_first(const std::vector<Refinement>& refined)
 {
   std::vector<std::size_t> order(refined.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return arrival_time(refined[a]) < arrival_time(refined[b]);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return arrival_time(refined[a]) < arrival_time(refined[b]); });
   return order;
 }
 
@@ -203,15 +202,17 @@ PlanResult try_to_plan(const Task& task)
 
 World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options)
   : World(occupancy, robot_model, options, PlanClock::now())
-{
-}
+{}
 
 World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options,
              PlanClock::time_point begin)
-  : robot(robot_model), grid(occupancy), obstacles(occupancy, options.obstacles), rectangles(obstacles),
-    referee(occupancy, options.obstacles, robot_model, options.verify), build_ms(ms_since(begin))
-{
-}
+  : robot(robot_model),
+    grid(occupancy),
+    obstacles(occupancy, options.obstacles),
+    rectangles(obstacles),
+    referee(occupancy, options.obstacles, robot_model, options.verify),
+    build_ms(ms_since(begin))
+{}
 
 std::vector<Corridor> PlanTrace::corridors() const
 {
@@ -240,8 +241,9 @@ std::vector<Trajectory> PlanTrace::iterations() const
 void check(const PlannerOptions& options)
 {
   if (is_paper(options) && options.optimize.solver != NlpSolver::ipopt)
-    throw std::invalid_argument("parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': "
-                                "the structured solver has no penalties");
+    throw std::invalid_argument(
+        "parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': "
+        "the structured solver has no penalties");
 }
 
 Planner::Planner(const Robot& robot, const PlannerOptions& options) : robot_(robot), options_(options)

@@ -54,8 +54,9 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
     for (std::size_t k = 0; k < disc.regions.size(); ++k)
     {
       Polytope& region = disc.regions[k];
-      const auto is_far = [&](const HalfPlane& plane)
-      { return !comes_near(plane, disc.centre, points[k], points[k + 1], reach); };
+      const auto is_far = [&](const HalfPlane& plane) {
+        return !comes_near(plane, disc.centre, points[k], points[k + 1], reach);
+      };
       region.erase(std::remove_if(region.begin(), region.end(), is_far), region.end());
     }
   return near;
@@ -75,9 +76,11 @@ std::vector<DiscCover> covers_with(const DiscCover& discs, const CollisionChecke
 struct SegmentRefiner::Attempt
 {
   explicit Attempt(const Segment& segment)
-    : reference(segment), around(segment.knots), shrink(segment.intervals(), 0.0), pinned(segment.knots.size(), 0)
-  {
-  }
+    : reference(segment),
+      around(segment.knots),
+      shrink(segment.intervals(), 0.0),
+      pinned(segment.knots.size(), 0)
+  {}
 
   /// Makes the robot stop where it turns back at the ends of interval k. False if there is no such place left.
   bool pin_cusps_of(std::size_t k)
@@ -100,12 +103,18 @@ struct SegmentRefiner::Attempt
 
 SegmentRefiner::SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                                const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
-  : map_(checker.map()), obstacles_(obstacles), robot_(robot), options_(options), interrupt_(interrupt),
-    discs_(disc_cover(robot, options.corridor_discs)), fine_discs_(disc_cover(robot, options.polish_discs)),
-    covers_(covers_with(discs_, checker, robot)), fine_covers_(covers_with(fine_discs_, checker, robot)),
-    structured_(robot, options, reference_speed), ipopt_(robot, options, reference_speed)
-{
-}
+  : map_(checker.map()),
+    obstacles_(obstacles),
+    robot_(robot),
+    options_(options),
+    interrupt_(interrupt),
+    discs_(disc_cover(robot, options.corridor_discs)),
+    fine_discs_(disc_cover(robot, options.polish_discs)),
+    covers_(covers_with(discs_, checker, robot)),
+    fine_covers_(covers_with(fine_discs_, checker, robot)),
+    structured_(robot, options, reference_speed),
+    ipopt_(robot, options, reference_speed)
+{}
 
 RefinedSegment SegmentRefiner::refine(const Segment& reference) const
 {
@@ -116,8 +125,8 @@ RefinedSegment SegmentRefiner::refine(const Segment& reference) const
     PolytopeCorridor regions = corridor(discs_, attempt.around, attempt.shrink);
     if (regions.status != CorridorStatus::succeeded) return give_up(std::move(result), regions.message);
     const bool rough = round < options_.outer_iterations;
-    SegmentSolution solution = solve(reference, regions.regions, round == 1 ? nullptr : &result.points(), attempt.pinned,
-                                     rough ? kRoughTolerance : kFineTolerance);
+    SegmentSolution solution = solve(reference, regions.regions, round == 1 ? nullptr : &result.points(),
+                                     attempt.pinned, rough ? kRoughTolerance : kFineTolerance);
     result.solver_iterations += solution.iterations;
     result.rounds.push_back({std::move(regions.regions), std::move(solution.points)});
     if (!solution.solved)

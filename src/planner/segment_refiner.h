@@ -19,8 +19,8 @@ namespace fourwis
 struct RefinedSegment
 {
   bool solved = false;
-  bool too_coarse = false;  ///< what happens between the knots is the trouble: try again with more of them
-  std::string message;      ///< why it is not solved
+  bool too_coarse = false;              ///< what happens between the knots is the trouble: try again with more of them
+  std::string message;                  ///< why it is not solved
   std::vector<RefinementRound> rounds;  ///< the last one's points are the result
   int solver_iterations = 0;
 

@@ -25,13 +25,16 @@ void require(const char* name, double value, double least, double greatest)
 
 void check(const Robot& robot)
 {
-  for (const auto& [name, size] : {std::pair("length", robot.length), {"width", robot.width},
-                                   {"wheelbase", robot.wheelbase}, {"track_width", robot.track_width}})
+  for (const auto& [name, size] : {std::pair("length", robot.length),
+                                   {"width", robot.width},
+                                   {"wheelbase", robot.wheelbase},
+                                   {"track_width", robot.track_width}})
     require(name, size, 1e-2, 1e3);
-  for (const auto& [name, limit] :
-       {std::pair("max_steering_rate", robot.max_steering_rate), {"max_speed", robot.max_speed},
-        {"max_acceleration", robot.max_acceleration}, {"wheel_max_rate", robot.wheel_max_rate},
-        {"wheel_max_speed", robot.wheel_max_speed}})
+  for (const auto& [name, limit] : {std::pair("max_steering_rate", robot.max_steering_rate),
+                                    {"max_speed", robot.max_speed},
+                                    {"max_acceleration", robot.max_acceleration},
+                                    {"wheel_max_rate", robot.wheel_max_rate},
+                                    {"wheel_max_speed", robot.wheel_max_speed}})
     require(name, limit, 1e-6, 1e6);
   require("max_steering_angle", robot.max_steering_angle, 0.0, 1.57);
   require("wheel_max_angle", robot.wheel_max_angle, 1e-6, 4.0 * M_PI);
@@ -41,10 +44,11 @@ void check(const Robot& robot)
 void check(const VerifyOptions& options)
 {
   require("collision_step", options.collision_step, 1e-4, 1.0);
-  for (const auto& [name, tolerance] :
-       {std::pair("rollout_position", options.rollout_position), {"rollout_angle", options.rollout_angle},
-        {"endpoint_position", options.endpoint_position}, {"endpoint_angle", options.endpoint_angle},
-        {"limit_tolerance", options.limit_tolerance}})
+  for (const auto& [name, tolerance] : {std::pair("rollout_position", options.rollout_position),
+                                        {"rollout_angle", options.rollout_angle},
+                                        {"endpoint_position", options.endpoint_position},
+                                        {"endpoint_angle", options.endpoint_angle},
+                                        {"limit_tolerance", options.limit_tolerance}})
     require(name, tolerance, 0.0, 1.0);
 }
 
@@ -79,7 +83,9 @@ Trajectory rest_of(const Robot& robot, const Trajectory& trajectory, double t)
 }  // namespace
 
 Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const VerifyOptions& options)
-  : cells_(std::make_shared<verify::ObstacleCells>(grid, rule)), robot_(robot), options_(options)
+  : cells_(std::make_shared<verify::ObstacleCells>(grid, rule)),
+    robot_(robot),
+    options_(options)
 {
   check(robot_);
   check(options_);

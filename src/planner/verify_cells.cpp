@@ -38,10 +38,12 @@ std::array<std::uint64_t, 256> obstacle_table(const ObstacleRule& rule)
 struct LeftSide
 {
   explicit LeftSide(const Box& box)
-    : corner_u(-box.reach_u()), corner_v(box.b * box.c - box.a * box.s), top_u(box.a * box.c - box.b * box.s),
-      upper_slope(box.c / box.s), lower_slope(box.s / box.c)
-  {
-  }
+    : corner_u(-box.reach_u()),
+      corner_v(box.b * box.c - box.a * box.s),
+      top_u(box.a * box.c - box.b * box.s),
+      upper_slope(box.c / box.s),
+      lower_slope(box.s / box.c)
+  {}
 
   double at(double dv) const
   {
@@ -78,8 +80,8 @@ double distance_to_cell(const Box& box, double du, double dv)
       const double u = du + 0.5 * su, v = dv + 0.5 * sv;
       best = std::min(best, squared_distance(box.c * u + box.s * v, box.c * v - box.s * u, box.a, box.b));
       const double along = su * box.a, across = sv * box.b;
-      best = std::min(best, squared_distance(box.c * along - box.s * across - du, box.s * along + box.c * across - dv,
-                                             0.5, 0.5));
+      best = std::min(
+          best, squared_distance(box.c * along - box.s * across - du, box.s * along + box.c * across - dv, 0.5, 0.5));
     }
   return std::sqrt(best);
 }
@@ -87,8 +89,13 @@ double distance_to_cell(const Box& box, double du, double dv)
 }  // namespace
 
 ObstacleCells::ObstacleCells(const OccupancyGrid& grid, const ObstacleRule& rule)
-  : width_(grid.width), height_(grid.height), resolution_(grid.resolution), origin_x_(grid.origin.x),
-    origin_y_(grid.origin.y), origin_cos_(std::cos(grid.origin.theta)), origin_sin_(std::sin(grid.origin.theta))
+  : width_(grid.width),
+    height_(grid.height),
+    resolution_(grid.resolution),
+    origin_x_(grid.origin.x),
+    origin_y_(grid.origin.y),
+    origin_cos_(std::cos(grid.origin.theta)),
+    origin_sin_(std::sin(grid.origin.theta))
 {
   check(grid);
   const auto table = obstacle_table(rule);
@@ -107,9 +114,12 @@ ObstacleCells::ObstacleCells(const OccupancyGrid& grid, const ObstacleRule& rule
 Box ObstacleCells::box(double x, double y, double cosine, double sine, double half_length, double half_width) const
 {
   const double dx = (x - origin_x_) / resolution_, dy = (y - origin_y_) / resolution_;
-  Box box{origin_cos_ * dx + origin_sin_ * dy,         origin_cos_ * dy - origin_sin_ * dx,
-          origin_cos_ * cosine + origin_sin_ * sine,   origin_cos_ * sine - origin_sin_ * cosine,
-          half_length / resolution_,                   half_width / resolution_};
+  Box box{origin_cos_ * dx + origin_sin_ * dy,
+          origin_cos_ * dy - origin_sin_ * dx,
+          origin_cos_ * cosine + origin_sin_ * sine,
+          origin_cos_ * sine - origin_sin_ * cosine,
+          half_length / resolution_,
+          half_width / resolution_};
   // A rectangle is the same turned by 180 degrees, and by 90 degrees with its sides swapped.
   if (box.c < 0.0) box.c = -box.c, box.s = -box.s;
   if (box.s < 0.0)
@@ -171,8 +181,7 @@ void ObstacleCells::look_at_row(const Box& box, int row, int column, double& bes
 {
   const double half_cell = 0.5 * (box.c + box.s);  // of the unit square along either axis of the box
   const double dv = row + 0.5 - box.v;
-  const auto look_at = [&](int obstacle)
-  {
+  const auto look_at = [&](int obstacle) {
     const double du = obstacle + 0.5 - box.u;
     const double along = std::abs(box.c * du + box.s * dv) - box.a - half_cell;
     const double across = std::abs(box.c * dv - box.s * du) - box.b - half_cell;

@@ -26,11 +26,15 @@ class Sweep
 {
 public:
   Sweep(const Court& court, const ObstacleCells& cells, Verdict& verdict)
-    : court_(court), cells_(cells), verdict_(verdict), step_(court.options.collision_step),
-      half_length_(court.robot.length / 2), half_width_(court.robot.width / 2),
-      radius_(std::hypot(half_length_, half_width_)), least_(INFINITY)
-  {
-  }
+    : court_(court),
+      cells_(cells),
+      verdict_(verdict),
+      step_(court.options.collision_step),
+      half_length_(court.robot.length / 2),
+      half_width_(court.robot.width / 2),
+      radius_(std::hypot(half_length_, half_width_)),
+      least_(INFINITY)
+  {}
 
   void run()
   {
@@ -106,10 +110,7 @@ private:
     jump(end, next.pose());
   }
 
-  void jump(const Pose& from, const Pose& to)
-  {
-    spend(distance(from, to) + radius_ * std::abs(to.theta - from.theta));
-  }
+  void jump(const Pose& from, const Pose& to) { spend(distance(from, to) + radius_ * std::abs(to.theta - from.theta)); }
 
   void spend(double motion)
   {
@@ -140,7 +141,8 @@ private:
       collide(i, t, Pose{x, y, theta}, hit);
     else
       clearance = cells_.clearance(cells_.box(x, y, cosine, sine, half_length_, half_width_),
-                                   (least_ + look_ahead_) / cells_.resolution()) * cells_.resolution();
+                                   (least_ + look_ahead_) / cells_.resolution()) *
+                  cells_.resolution();
     least_ = std::min(least_, clearance);
     look_ahead_ = std::clamp(2.0 * (clearance - least_), kLeastLookAhead, kMostLookAhead);
     sure_ = clearance;
@@ -173,7 +175,7 @@ private:
   const ObstacleCells& cells_;
   Verdict& verdict_;
   const double step_, half_length_, half_width_, radius_;
-  double least_;         ///< clearance so far [m]
+  double least_;  ///< clearance so far [m]
   double look_ahead_ = kMostLookAhead;
   double sure_ = 0.0;    ///< motion that cannot lead into an obstacle [m]; may be less than the credit
   double credit_ = 0.0;  ///< motion until the next look [m]

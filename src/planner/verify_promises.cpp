@@ -41,8 +41,7 @@ void check_point(const Court& court, std::size_t i)
   const double max_phi = p.mode == Mode::parallel ? court.robot.wheel_max_angle : court.robot.max_steering_angle;
   if (std::abs(p.v) > court.lenient(court.robot.max_speed))
     court.report.add(i, p.t, "speed", p.v, court.robot.max_speed, "m/s");
-  if (std::abs(p.phi) > court.lenient(max_phi))
-    court.report.add(i, p.t, "steering angle", p.phi, max_phi, "rad");
+  if (std::abs(p.phi) > court.lenient(max_phi)) court.report.add(i, p.t, "steering angle", p.phi, max_phi, "rad");
 }
 
 /// A rate: the difference over an interval against its limit and against what the point claims.
@@ -69,8 +68,7 @@ bool check_form(const Court& court)
     return false;
   }
   bool sound = true;
-  const auto broken = [&](std::size_t i, const std::string& what)
-  {
+  const auto broken = [&](std::size_t i, const std::string& what) {
     court.report.add(i, points[i].t, what);
     sound = false;
   };
@@ -80,8 +78,7 @@ bool check_form(const Court& court)
     if (!ModeSet().contains(points[i].mode))
       broken(i, "mode number " + std::to_string(static_cast<int>(points[i].mode)) +
                     ", expected 1 ackermann, 2 lateral or 3 parallel");
-    if (i > 0 && !(points[i].t > points[i - 1].t))
-      broken(i, "time not after the time of the point before");
+    if (i > 0 && !(points[i].t > points[i - 1].t)) broken(i, "time not after the time of the point before");
   }
   if (!(std::abs(points.front().t) <= kRounding)) broken(0, "time of the first point not 0 s");
   return sound;

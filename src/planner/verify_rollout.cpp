@@ -13,8 +13,15 @@ constexpr double kMostSteps = 1.0e5;  // of one advance; more only where limits 
 }  // namespace
 
 Rollout::Rollout(const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to)
-  : mode_(from.mode), duration_(to.t - from.t), x_(from.x), y_(from.y), theta_(from.theta), v_(from.v),
-    change_of_v_(to.v - from.v), phi_(from.phi), change_of_phi_(to.phi - from.phi),
+  : mode_(from.mode),
+    duration_(to.t - from.t),
+    x_(from.x),
+    y_(from.y),
+    theta_(from.theta),
+    v_(from.v),
+    change_of_v_(to.v - from.v),
+    phi_(from.phi),
+    change_of_phi_(to.phi - from.phi),
     heading_{std::cos(from.theta), std::sin(from.theta)}
 {
   if (mode_ == Mode::ackermann) tangent_factor_ = 2.0 / robot.wheelbase;

@@ -44,10 +44,7 @@ private:
   // Time runs from 0 to 1 from point to point: shares cannot overflow, however close or far apart the points are.
   double speed(double share) const { return v_ + change_of_v_ * share; }
   double phi(double share) const { return phi_ + change_of_phi_ * share; }
-  double curvature(double share) const
-  {
-    return held_ ? curvature_ : tangent_factor_ * std::tan(phi(share));
-  }
+  double curvature(double share) const { return held_ ? curvature_ : tangent_factor_ * std::tan(phi(share)); }
   Direction heading(double theta) const
   {
     return theta == theta_ ? heading_ : Direction{std::cos(theta), std::sin(theta)};
@@ -61,8 +58,8 @@ private:
   double x_, y_, theta_;
   double v_, change_of_v_;
   double phi_, change_of_phi_;
-  bool held_;  ///< phi does not change, or nothing turns with it
-  double tangent_factor_ = 0.0;  ///< theta' = factor tan(phi) v
+  bool held_;                          ///< phi does not change, or nothing turns with it
+  double tangent_factor_ = 0.0;        ///< theta' = factor tan(phi) v
   double curvature_, last_curvature_;  ///< now and at the next point
   Direction heading_, course_;         ///< now
 };

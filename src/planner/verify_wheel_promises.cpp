@@ -34,10 +34,8 @@ public:
   {
     const TrajectoryPoint &p = court_.trajectory[i], &next = court_.trajectory[i + 1];
     const double moved = distance(p.pose(), next.pose()), turned = std::abs(next.theta - p.theta);
-    if (moved > kSwitchPosition)
-      court_.report.add(i, p.t, "motion during a mode switch", moved, kSwitchPosition, "m");
-    if (turned > kSwitchAngle)
-      court_.report.add(i, p.t, "turn during a mode switch", turned, kSwitchAngle, "rad");
+    if (moved > kSwitchPosition) court_.report.add(i, p.t, "motion during a mode switch", moved, kSwitchPosition, "m");
+    if (turned > kSwitchAngle) court_.report.add(i, p.t, "turn during a mode switch", turned, kSwitchAngle, "rad");
     if (!at_rest(p)) court_.report.add(i, p.t, "speed at a mode switch", p.v, kRestSpeed, "m/s");
     if (!at_rest(next)) court_.report.add(i + 1, next.t, "speed at a mode switch", next.v, kRestSpeed, "m/s");
     check_duration(i, court_.robot.mode_switch_time, "duration of a mode switch");

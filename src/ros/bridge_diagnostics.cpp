@@ -89,7 +89,9 @@ void BridgeDiagnostics::report_bus(DiagnosticStatusWrapper& status) const
   const BridgeUpdate update = monitor_.newest();
   const bool full = update.report.load > kFullBus, lossy = update.bus.dropped > 0;
   status.summary(full || lossy || update.report.controller.passive ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                 full ? "nearly full" : lossy ? "frames were lost" : controller_state(update.report.controller));
+                 full    ? "nearly full"
+                 : lossy ? "frames were lost"
+                         : controller_state(update.report.controller));
   if (update.report.stage == BridgeStage::link_down)
     status.summaryf(DiagnosticStatus::ERROR, "down: %s", update.bus_error.data());
   status.addf("load [%]", "%.1f", 100.0 * update.report.load);

@@ -37,7 +37,8 @@ bool is_enabling(BridgeStage stage)
 CanBridge::CanBridge(const CanBridgeParameters& parameters)
   : options_(parameters.bridge),
     bridge_(parameters.robot, options_, can::open_bus(options_.interface), parameters.node.real_time_priority),
-    topics_(parameters.robot, parameters.node.frames), diagnostics_(monitor_, options_.interface)
+    topics_(parameters.robot, parameters.node.frames),
+    diagnostics_(monitor_, options_.interface)
 {
   if (!bridge_.complaint().empty()) ROS_WARN("%s", bridge_.complaint().c_str());
   advertise("enable", [this] { return enable(); });
@@ -54,11 +55,11 @@ void CanBridge::subscribe()
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   // A queue of one: an older command is worth nothing.
   commands_ = node.subscribe<fourwis_navigation::WheelCommands>(
-    "wheel_commands", 1, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
-    nullptr, hints);
+      "wheel_commands", 1, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
+      nullptr, hints);
   emergency_stop_ = node.subscribe<std_msgs::Bool>(
-    "emergency_stop", kEmergencyStopQueue,
-    [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); }, nullptr, hints);
+      "emergency_stop", kEmergencyStopQueue,
+      [this](const std_msgs::BoolConstPtr& message) { bridge_.press_emergency_stop(message->data); }, nullptr, hints);
   command_spinner_.start();
 }
 
@@ -125,7 +126,8 @@ std::string CanBridge::enable()
 {
   const std::string refusal = ask_to_enable();
   const can::BridgeReport before = monitor_.newest().report;
-  if (!refusal.empty()) return before.stage == BridgeStage::fault ? refusal + " (" + explanation(before) + ")" : refusal;
+  if (!refusal.empty())
+    return before.stage == BridgeStage::fault ? refusal + " (" + explanation(before) + ")" : refusal;
   const double patience = options_.enable_timeout + (options_.homing ? options_.homing_timeout : 0.0) + kReserve;
   monitor_.wait_for([](const BridgeUpdate& update) { return !is_enabling(update.report.stage); }, patience);
   return explanation(monitor_.newest().report);
@@ -148,9 +150,8 @@ std::string CanBridge::disable()
 void CanBridge::advertise(const std::string& name, const std::function<std::string()>& action)
 {
   using std_srvs::Trigger;
-  const boost::function<bool(Trigger::Request&, Trigger::Response&)> serve =
-    [action](Trigger::Request&, Trigger::Response& response)
-  {
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> serve = [action](Trigger::Request&,
+                                                                                      Trigger::Response& response) {
     response.message = action();
     response.success = response.message.empty();
     return true;

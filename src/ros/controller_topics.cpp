@@ -45,14 +45,16 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
 }
 
 ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options, const ListenerLeft& left)
-  : robot_(robot), global_frame_(options.global_frame), robot_base_frame_(options.robot_base_frame)
+  : robot_(robot),
+    global_frame_(options.global_frame),
+    robot_base_frame_(options.robot_base_frame)
 {
   ros::NodeHandle node, private_node("~");
   wheel_commands_ = node.advertise<fourwis_navigation::WheelCommands>("wheel_commands", 1);
   cmd_vel_ = node.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   tracking_ = private_node.advertise<Tracking>(
-    "tracking", 100, ros::SubscriberStatusCallback(),
-    [left](const ros::SingleSubscriberPublisher& listener) { left(listener.getSubscriberName()); });
+      "tracking", 100, ros::SubscriberStatusCallback(),
+      [left](const ros::SingleSubscriberPublisher& listener) { left(listener.getSubscriberName()); });
   marker_ = private_node.advertise<visualization_msgs::Marker>("marker", 1);
   predicted_path_ = private_node.advertise<nav_msgs::Path>("predicted_path", 1);
 }

@@ -99,11 +99,12 @@ OccupancyGrid to_grid(const nav_msgs::OccupancyGrid& message)
 void apply_update(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid& grid)
 {
   const std::uint64_t width = update.width, height = update.height;
-  const auto inside = [](std::int64_t start, std::int64_t size, int limit)
-  { return start >= 0 && size >= 0 && start + size <= limit; };
+  const auto inside = [](std::int64_t start, std::int64_t size, int limit) {
+    return start >= 0 && size >= 0 && start + size <= limit;
+  };
   if (!inside(update.x, update.width, grid.width) || !inside(update.y, update.height, grid.height))
-    refuse("map update: ", width, " x ", height, " cells at (", update.x, ", ", update.y,
-           ") do not lie in the map of ", grid.width, " x ", grid.height, " cells");
+    refuse("map update: ", width, " x ", height, " cells at (", update.x, ", ", update.y, ") do not lie in the map of ",
+           grid.width, " x ", grid.height, " cells");
   if (update.data.size() != width * height)
     refuse("map update: data holds ", update.data.size(), " cells, expected width x height = ", width, " x ", height,
            " = ", width * height);
@@ -237,7 +238,7 @@ nav_msgs::Path to_path_message(const Robot& robot, const Path& path, const std_m
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(piece.length) / step)));
     for (int i = 0; i < steps; ++i)
       message.poses.push_back(
-        stamped(advance(robot, piece.start, piece.mode, piece.phi, piece.length * i / steps), header));
+          stamped(advance(robot, piece.start, piece.mode, piece.phi, piece.length * i / steps), header));
   }
   if (!path.pieces.empty()) message.poses.push_back(stamped(path.goal, header));
   return message;

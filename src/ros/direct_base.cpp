@@ -34,8 +34,8 @@ DirectBase::DirectBase(const BaseSimulatorParameters& parameters, BaseSimulator&
     topics_(parameters.robot, parameters.node.frames)
 {
   wheel_commands_ = node_.subscribe<fourwis_navigation::WheelCommands>(
-    "wheel_commands", 10, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
-    nullptr, ros::TransportHints().tcpNoDelay());
+      "wheel_commands", 10, [this](const fourwis_navigation::WheelCommandsConstPtr& message) { on_command(*message); },
+      nullptr, ros::TransportHints().tcpNoDelay());
 }
 
 void DirectBase::publish(const ros::Time& stamp)

@@ -6,7 +6,9 @@ namespace fourwis
 {
 
 DirectBaseFaults::DirectBaseFaults(BaseSimulator& simulator, BaseTopics& base, IdealLocalization& localization)
-  : simulator_(simulator), base_(base), localization_(localization)
+  : simulator_(simulator),
+    base_(base),
+    localization_(localization)
 {
   using Kind = WheelFault::Kind;
   faults_ = {{"stuck_steering", [this](const auto& fault) { break_wheel(Kind::stuck_steering, fault.wheel); }},
@@ -15,7 +17,9 @@ DirectBaseFaults::DirectBaseFaults(BaseSimulator& simulator, BaseTopics& base, I
              {"lost_odometry", [this](const auto&) { silent_.odom = true; }},
              {"lost_wheel_states", [this](const auto&) { silent_.wheel_states = true; }},
              {"lost_localization", [this](const auto&) { localization_.set_lost(true); }},
-             {"odometry_jump", [this](const auto& fault) { jump({fault.x, fault.y, fault.yaw}); }}};
+             {"odometry_jump", [this](const auto& fault) {
+                jump({fault.x, fault.y, fault.yaw});
+              }}};
 }
 
 void DirectBaseFaults::inject(const fourwis_navigation::InjectFault::Request& request)

@@ -36,7 +36,8 @@ Trajectory to_trajectory(const fourwis_navigation::ModeTrajectory& message)
 
 WheelCommand to_command(const fourwis_navigation::WheelCommands& message)
 {
-  return {static_cast<Mode>(message.mode), message.sequence,
+  return {static_cast<Mode>(message.mode),
+          message.sequence,
           {per_wheel(message.steering_angle), per_wheel(message.drive_speed)}};
 }
 

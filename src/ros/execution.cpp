@@ -39,9 +39,13 @@ GoalOutcome outcome_of(const PlanResult& result)
 
 Execution::Execution(const GlobalPlannerOptions& options, const PoseSource& poses, const MapStore& maps,
                      const MapPlanner& planner, DriveMonitor& monitor, PlannerTopics& topics)
-  : options_(options), poses_(poses), maps_(maps), planner_(planner), monitor_(monitor), topics_(topics)
-{
-}
+  : options_(options),
+    poses_(poses),
+    maps_(maps),
+    planner_(planner),
+    monitor_(monitor),
+    topics_(topics)
+{}
 
 GoalOutcome Execution::pursue(const Goal& goal, const std::atomic<bool>& cancelled)
 {

@@ -25,9 +25,9 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
 {
   ros::NodeHandle node;
   map_subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(
-    "map", 10, [this](const nav_msgs::OccupancyGridConstPtr& map) { maps_.add(map); });
+      "map", 10, [this](const nav_msgs::OccupancyGridConstPtr& map) { maps_.add(map); });
   update_subscriber_ = node.subscribe<map_msgs::OccupancyGridUpdate>(
-    "map_updates", 100, [this](const map_msgs::OccupancyGridUpdateConstPtr& update) { maps_.add(update); });
+      "map_updates", 100, [this](const map_msgs::OccupancyGridUpdateConstPtr& update) { maps_.add(update); });
   if (parameters.node.wait_for_controller)
     tracking_subscriber_ = node.subscribe("tracking", 100, &GlobalPlanner::on_tracking, this);
   if (parameters.node.start_from == StartFrom::initial_pose)

@@ -19,13 +19,13 @@ GoalServer::GoalServer(const GlobalPlannerOptions& options, const PoseSource& po
     execution_(execution),
     topics_(topics),
     action_server_(
-      node_, "move_base", [this](GoalHandle goal) { on_action_goal(goal); },
-      [this](GoalHandle goal) { on_action_cancel(goal); }, false)
+        node_, "move_base", [this](GoalHandle goal) { on_action_goal(goal); },
+        [this](GoalHandle goal) { on_action_cancel(goal); }, false)
 {
   current_goal_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 10);
   goal_subscriber_ = node_.subscribe<geometry_msgs::PoseStamped>(
-    "move_base_simple/goal", 10,
-    [this](const geometry_msgs::PoseStampedConstPtr& goal) { start(*goal, std::nullopt); });
+      "move_base_simple/goal", 10,
+      [this](const geometry_msgs::PoseStampedConstPtr& goal) { start(*goal, std::nullopt); });
   feedback_timer_ = node_.createTimer(kFeedbackPeriod, [this](const ros::TimerEvent&) { publish_feedback(); });
   action_server_.start();
 }

@@ -18,8 +18,8 @@ IdealLocalization::IdealLocalization(const BaseSimulatorNodeOptions& options, st
 {
   pose_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("pose", 10);
   initial_pose_ = node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
-    "initialpose", 10,
-    [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) { on_initial_pose(*message); });
+      "initialpose", 10,
+      [this](const geometry_msgs::PoseWithCovarianceStampedConstPtr& message) { on_initial_pose(*message); });
 }
 
 void IdealLocalization::publish(const ros::Time& stamp, const Pose& truth)

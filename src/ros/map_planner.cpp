@@ -16,9 +16,10 @@ PlanResult failure(PlanStatus status, const std::string& message)
 }  // namespace
 
 MapPlanner::MapPlanner(const Planner& planner, const MapStore& maps, bool traced)
-  : planner_(planner), maps_(maps), traced_(traced)
-{
-}
+  : planner_(planner),
+    maps_(maps),
+    traced_(traced)
+{}
 
 PlanAnswer MapPlanner::plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const
 {

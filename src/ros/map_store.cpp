@@ -14,8 +14,7 @@ MapStore::MapStore(std::string global_frame, const Robot& robot, const PlannerOp
     options_(options),
     refused_(std::move(refused)),
     thread_([this] { run(); })
-{
-}
+{}
 
 MapStore::~MapStore()
 {

@@ -161,8 +161,7 @@ visualization_msgs::MarkerArray plan_markers(const Robot& robot, const PlanReque
 {
   visualization_msgs::MarkerArray array;
   array.markers = {path_marker(trajectory, header), footprint_marker(robot, trajectory, header),
-                   switch_marker(trajectory, header),
-                   end_marker("start", robot, request.start, kStartColour, header),
+                   switch_marker(trajectory, header), end_marker("start", robot, request.start, kStartColour, header),
                    end_marker("goal", robot, request.goal, kGoalColour, header)};
   // The plan before it may have failed.
   array.markers.push_back(finished(marker("failure", Marker::TEXT_VIEW_FACING, kTextSize, header)));

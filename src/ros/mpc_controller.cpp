@@ -17,8 +17,7 @@ MpcController::MpcController(const MpcControllerParameters& parameters)
     tf_listener_(tf_, node_, false),
     topics_(parameters.robot, parameters.node, [this](const std::string& node) { on_listener_left(node); }),
     loop_(parameters, tf_,
-          [this](const ros::Time& trajectory, const std::string& message)
-          {
+          [this](const ros::Time& trajectory, const std::string& message) {
             topics_.publish_refusal(trajectory, message);
             diagnostics_.refused(message);
           }),

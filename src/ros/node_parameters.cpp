@@ -67,8 +67,7 @@ ModeSet modes(const std::string& list)
     if (!names.empty()) return to_modes(names);
   }
   catch (const ConversionError&)
-  {
-  }
+  {}
   refuse("modes", list, "names out of ackermann, lateral and parallel with commas between them");
 }
 

@@ -16,8 +16,7 @@ OdometryPose::OdometryPose(std::string global_frame, std::string robot_base_fram
     robot_base_frame_(std::move(robot_base_frame)),
     transform_tolerance_(transform_tolerance),
     tf_(tf)
-{
-}
+{}
 
 Pose OdometryPose::at(const nav_msgs::Odometry& odometry) const
 {

@@ -9,18 +9,23 @@ namespace fourwis
 
 using fourwis_navigation::PlanTrajectory;
 
-PlanServices::PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes,
-                           GoalServer& goals, const PlannerTopics& topics)
-  : poses_(poses), planner_(planner), modes_(modes), goals_(goals), topics_(topics), spinner_(1, &queue_)
+PlanServices::PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, GoalServer& goals,
+                           const PlannerTopics& topics)
+  : poses_(poses),
+    planner_(planner),
+    modes_(modes),
+    goals_(goals),
+    topics_(topics),
+    spinner_(1, &queue_)
 {
   ros::NodeHandle node("~"), planning_node("~");
   planning_node.setCallbackQueue(&queue_);
   make_plan_ = planning_node.advertiseService<nav_msgs::GetPlan::Request, nav_msgs::GetPlan::Response>(
-    "make_plan", [this](auto& request, auto& response) { return make_plan(request, response), true; });
+      "make_plan", [this](auto& request, auto& response) { return make_plan(request, response), true; });
   plan_trajectory_ = planning_node.advertiseService<PlanTrajectory::Request, PlanTrajectory::Response>(
-    "plan_trajectory", [this](auto& request, auto& response) { return plan_trajectory(request, response), true; });
+      "plan_trajectory", [this](auto& request, auto& response) { return plan_trajectory(request, response), true; });
   cancel_ = node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
-    "cancel", [this](auto&, auto& response) { return cancel(response), true; });
+      "cancel", [this](auto&, auto& response) { return cancel(response), true; });
   spinner_.start();
 }
 
@@ -53,15 +58,14 @@ void PlanServices::plan_trajectory(const PlanTrajectory::Request& request, PlanT
   try
   {
     const PlanAnswer answer =
-      plan({start_pose(request.start), poses_.to_global(request.goal, "goal"), to_modes(request.modes)});
+        plan({start_pose(request.start), poses_.to_global(request.goal, "goal"), to_modes(request.modes)});
     const PlanResult& result = answer.result;
     response.success = result.status == PlanStatus::succeeded;
     response.status = to_string(result.status);
     response.message = result.message;
     response.metrics = to_message(result.metrics);
     response.map_stamp = answer.map_stamp;
-    if (response.success)
-      response.trajectory = to_message(result.trajectory, response.trajectory.header);
+    if (response.success) response.trajectory = to_message(result.trajectory, response.trajectory.header);
   }
   catch (const ConversionError& error)
   {

@@ -9,8 +9,7 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 using fourwis_navigation::PlannerStatus;
 
-PlannerDiagnostics::PlannerDiagnostics(const MapStore& maps, const PlannerTopics& topics)
-  : maps_(maps), topics_(topics)
+PlannerDiagnostics::PlannerDiagnostics(const MapStore& maps, const PlannerTopics& topics) : maps_(maps), topics_(topics)
 {
   updater_.setHardwareID("none");
   updater_.add("map", [this](DiagnosticStatusWrapper& status) { report_map(status); });

@@ -50,8 +50,7 @@ void PlannerTopics::publish_progress(const geometry_msgs::PoseStamped& goal, std
   publish_status(progress);
 }
 
-void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer,
-                            const ros::Time& begin)
+void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer, const ros::Time& begin)
 {
   if (answer.result.status != PlanStatus::succeeded)
   {
@@ -103,8 +102,8 @@ void PlannerTopics::publish_plan(const PlanAnswer& answer, const ros::Time& begi
   marker_.publish(markers_);
   if (!show_corridors_) return;
   visualization_msgs::MarkerArray corridors;
-  corridors.markers = {
-      corridor_marker(show_iterations_ ? answer.trace.all_corridors() : answer.trace.corridors(), answer.request.start, now)};
+  corridors.markers = {corridor_marker(show_iterations_ ? answer.trace.all_corridors() : answer.trace.corridors(),
+                                       answer.request.start, now)};
   corridors_.publish(corridors);
 }
 

@@ -40,8 +40,8 @@ geometry_msgs::PoseStamped PoseSource::in_global(const geometry_msgs::PoseStampe
 {
   const std::string frame = without_slash(pose.header.frame_id);
   if (frame.empty())
-    throw ConversionError(name + ": header.frame_id is empty, expected a frame, for example '" +
-                          options_.global_frame + "'");
+    throw ConversionError(name + ": header.frame_id is empty, expected a frame, for example '" + options_.global_frame +
+                          "'");
   geometry_msgs::PoseStamped global = pose;
   global.header.frame_id = options_.global_frame;
   if (frame == options_.global_frame)
@@ -100,8 +100,7 @@ Pose PoseSource::robot_from_tf(const ros::Time& now) const
   {
     std::ostringstream text;
     text << kStartPose << ": the transform from '" << options_.robot_base_frame << "' to '" << options_.global_frame
-         << "' is " << age << " s old, expected at most transform_tolerance = " << options_.transform_tolerance
-         << " s";
+         << "' is " << age << " s old, expected at most transform_tolerance = " << options_.transform_tolerance << " s";
     throw ConversionError(text.str());
   }
   return robot_pose(transform);

@@ -34,8 +34,8 @@ SimulatedDrives::SimulatedDrives(const BaseSimulatorParameters& parameters)
 {
   base_.drives().place(parameters.node.initial);
   odometry_ = node_.subscribe<nav_msgs::Odometry>(
-    "odom", 10, [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); }, nullptr,
-    ros::TransportHints().tcpNoDelay());
+      "odom", 10, [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); }, nullptr,
+      ros::TransportHints().tcpNoDelay());
   life_ = node_.createWallTimer(kStep, [this](const ros::WallTimerEvent&) { live(); });
   publication_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.node.publish_frequency),
                                        [this](const ros::WallTimerEvent&) { publish(); });

@@ -11,8 +11,8 @@ SimulatedRobot::SimulatedRobot(const BaseSimulatorParameters& parameters)
     faults_(simulator_, base_.topics(), localization_),
     fault_services_([this](const auto& fault) { faults_.inject(fault); }, [this] { faults_.clear(); }),
     clock_(
-      parameters.node, [this](const ros::Time& end) { cycle(end); },
-      [this](const ros::Time& now) { return base_.answered(now); })
+        parameters.node, [this](const ros::Time& end) { cycle(end); },
+        [this](const ros::Time& now) { return base_.answered(now); })
 {
   simulator_.place(parameters.node.initial);
 }

@@ -16,8 +16,9 @@ const ros::Duration kLate(0.5);
 const BaseSimulatorNodeOptions& checked(const BaseSimulatorNodeOptions& options)
 {
   if (options.publish_clock && !ros::Time::isSimTime())
-    throw ConfigError("parameter 'publish_clock' is true, expected false where '/use_sim_time' is not true: nobody "
-                      "would follow that clock");
+    throw ConfigError(
+        "parameter 'publish_clock' is true, expected false where '/use_sim_time' is not true: nobody "
+        "would follow that clock");
   return options;
 }
 

@@ -8,7 +8,7 @@ namespace fourwis
 namespace
 {
 
-constexpr int kBlock = 16;               ///< squares to a side of the blocks looked at first, a power of two
+constexpr int kBlock = 16;                ///< squares to a side of the blocks looked at first, a power of two
 constexpr double kRounding = 1.0 + 1e-9;  ///< lengths are rounded up by this much
 
 int squares_along(int cells, double resolution, double square)
@@ -19,7 +19,9 @@ int squares_along(int cells, double resolution, double square)
 }  // namespace
 
 DiscPlaces::DiscPlaces(const ObstacleMap& map, double clearance, double square, const Interrupt& interrupt)
-  : map_(map), square_(square), width_(squares_along(map.width(), map.resolution(), square)),
+  : map_(map),
+    square_(square),
+    width_(squares_along(map.width(), map.resolution(), square)),
     height_(squares_along(map.height(), map.resolution(), square)),
     sums_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1), 0)
 {

@@ -18,7 +18,7 @@ namespace fourwis
 inline constexpr int kHeadings = 32;
 using HeadingSet = std::uint32_t;
 inline constexpr HeadingSet kAllHeadings = ~HeadingSet{0};
-inline constexpr double kBin = M_PI / kHeadings;   ///< [rad]
+inline constexpr double kBin = M_PI / kHeadings;  ///< [rad]
 
 inline int heading_bin(double theta)
 {
@@ -55,7 +55,11 @@ class FreeHeadings
 public:
   /// Goes by the clearance of the disc centres at a cell's centre and, where they are given, the places they may be at.
   FreeHeadings(const CollisionChecker& checker, const CoarseCells& cells, const DiscPlaces* places = nullptr)
-    : checker_(checker), cells_(cells), places_(places), known_(cells.count(), 0), free_(cells.count(), 0)
+    : checker_(checker),
+      cells_(cells),
+      places_(places),
+      known_(cells.count(), 0),
+      free_(cells.count(), 0)
   {
     const double clearance = checker.least_clearance();
     for (std::size_t k = 0; k < kHeadings; ++k)

@@ -76,13 +76,14 @@ bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
 
 FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
                    const Interrupt& interrupt)
-  : checker_(checker), robot_(robot), start_(start), goal_(goal),
+  : checker_(checker),
+    robot_(robot),
+    start_(start),
+    goal_(goal),
     distance_(checker, start, goal, kFieldSlack, interrupt),
-    may_be_reachable_(distance_.reaches_start() &&
-                      may_be_reachable(checker, distance_, start, goal, flood_cell(checker.map()), Proof::quick,
-                                       interrupt))
-{
-}
+    may_be_reachable_(distance_.reaches_start() && may_be_reachable(checker, distance_, start, goal,
+                                                                    flood_cell(checker.map()), Proof::quick, interrupt))
+{}
 
 SearchResult FrontEnd::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
                             const Interrupt& interrupt, std::vector<Pose>* expanded) const
@@ -117,8 +118,7 @@ void FrontEnd::look_closer(const Interrupt& interrupt) const
   const double cell = flood_cell(checker_.map());
   proven_unreachable_ = !may_be_reachable(checker_, distance_, start_, goal_, cell, Proof::sharp, interrupt);
   if (!proven_unreachable_)
-    holonomic_distance_ =
-      std::make_unique<HolonomicDistance>(checker_, start_, goal_, cell, kFieldSlack, interrupt);
+    holonomic_distance_ = std::make_unique<HolonomicDistance>(checker_, start_, goal_, cell, kFieldSlack, interrupt);
 }
 
 SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanRequest& request,

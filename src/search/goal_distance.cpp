@@ -14,7 +14,7 @@ constexpr double kCellSize = 0.1;            ///< side of a cell [m]
 constexpr int kStraight = 5, kDiagonal = 7;  ///< integer lengths of steps; 7/5 < sqrt(2)
 constexpr double kOctileExcess = 1.0824;     ///< longest 8-connected path over the straight line
 constexpr float kUnseen = std::numeric_limits<float>::infinity();
-constexpr int kInterruptInterval = 4096;     ///< cells settled between two looks at the interrupt
+constexpr int kInterruptInterval = 4096;  ///< cells settled between two looks at the interrupt
 
 /// A priority queue for steps of small integer lengths: a ring of buckets.
 class BucketQueue
@@ -53,11 +53,12 @@ double least_clearance(const CollisionChecker& checker)
 }  // namespace
 
 CoarseCells::CoarseCells(const ObstacleMap& map, double size)
-  : map_(map), size_(size), per_map_cell_(map.resolution() / size),
+  : map_(map),
+    size_(size),
+    per_map_cell_(map.resolution() / size),
     width_(std::max(1, static_cast<int>(std::ceil(map.width() * per_map_cell_ - 1e-9)))),
     height_(std::max(1, static_cast<int>(std::ceil(map.height() * per_map_cell_ - 1e-9))))
-{
-}
+{}
 
 int CoarseCells::index(double x, double y) const
 {
@@ -82,7 +83,8 @@ bool GoalDistance::is_passable(const CollisionChecker& checker, int cell) const
 
 GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack,
                            const Interrupt& interrupt)
-  : cells_(checker.map(), kCellSize), field_(cells_.count(), kUnseen)
+  : cells_(checker.map(), kCellSize),
+    field_(cells_.count(), kUnseen)
 {
   const int start_cell = cells_.index(start.x, start.y), goal_cell = cells_.index(goal.x, goal.y);
   const double unit = cells_.size() / kStraight;

@@ -23,7 +23,8 @@ struct Wave
 
 HolonomicDistance::HolonomicDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal,
                                      double cell_size, double slack, const Interrupt& interrupt)
-  : cells_(checker.map(), cell_size), steps_(cells_.count() * kHeadings, kUnseen)
+  : cells_(checker.map(), cell_size),
+    steps_(cells_.count() * kHeadings, kUnseen)
 {
   FreeHeadings free(checker, cells_);
   std::vector<HeadingSet> reached(cells_.count(), 0);

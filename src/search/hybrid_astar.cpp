@@ -50,10 +50,14 @@ class Search
 public:
   Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request,
          const DistanceToGoal& distance_to_goal)
-    : checker_(checker), robot_(robot), options_(options), request_(request), cost_(robot, options),
-      curves_(robot, options, cost_, request.modes), distance_(distance_to_goal)
-  {
-  }
+    : checker_(checker),
+      robot_(robot),
+      options_(options),
+      request_(request),
+      cost_(robot, options),
+      curves_(robot, options, cost_, request.modes),
+      distance_(distance_to_goal)
+  {}
 
   SearchResult run(const Interrupt& interrupt, std::vector<Pose>* expanded)
   {
@@ -135,7 +139,8 @@ private:
     };
     return cell(n.pose.x - request_.goal.x, options_.xy_resolution) |
            cell(n.pose.y - request_.goal.y, options_.xy_resolution) << 20 |
-           cell(heading, options_.heading_resolution) << 40 | static_cast<std::uint64_t>(n.mode) << 56 | direction << 59;
+           cell(heading, options_.heading_resolution) << 40 | static_cast<std::uint64_t>(n.mode) << 56 |
+           direction << 59;
   }
 
   /// Direction of travel relative to the heading of a parallel piece.

@@ -35,9 +35,11 @@ void append_straight(double x, double y, ModeCurve& curve)
 }  // namespace
 
 ModeCurves::ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes)
-  : robot_(robot), options_(options), cost_(cost), modes_(modes)
-{
-}
+  : robot_(robot),
+    options_(options),
+    cost_(cost),
+    modes_(modes)
+{}
 
 void ModeCurves::candidates(const Pose& from, const Situation& situation, const Pose& goal, double budget,
                             std::vector<ModeCurve>& curves) const
@@ -58,7 +60,8 @@ void ModeCurves::candidates(const Pose& from, const Situation& situation, const 
   std::sort(curves.begin(), curves.end(), [](const ModeCurve& a, const ModeCurve& b) { return a.cost < b.cost; });
 }
 
-void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const
+void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double longest,
+                                    std::vector<ModeCurve>& curves) const
 {
   const double kappa = max_curvature(robot_, mode);
   ReedsSheppWords words;

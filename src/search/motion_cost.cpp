@@ -6,7 +6,10 @@ namespace fourwis
 {
 
 MotionCost::MotionCost(const Robot& robot, const SearchOptions& options)
-  : options_(options), per_metre_(1.0 / options.primitive_length()), switch_(0.0), switch_at_start_(0.0)
+  : options_(options),
+    per_metre_(1.0 / options.primitive_length()),
+    switch_(0.0),
+    switch_at_start_(0.0)
 {
   if (!options.switching_awareness) return;
   const double v = options.reference_speed;

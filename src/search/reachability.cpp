@@ -12,8 +12,8 @@ namespace fourwis
 namespace
 {
 
-constexpr int kInterruptInterval = 128;    ///< cells flooded between two looks at the interrupt
-constexpr double kSquaresPerCell = 4.0;    ///< along a cell's side, squares told apart as places for the discs
+constexpr int kInterruptInterval = 128;  ///< cells flooded between two looks at the interrupt
+constexpr double kSquaresPerCell = 4.0;  ///< along a cell's side, squares told apart as places for the discs
 
 bool is_over(const Interrupt& interrupt)
 {
@@ -25,9 +25,11 @@ class Flood
 {
 public:
   Flood(FreeHeadings& free, const CoarseCells& cells, std::function<double(int)> guide)
-    : free_(free), cells_(cells), guide_(std::move(guide)), reached_(cells.count(), 0)
-  {
-  }
+    : free_(free),
+      cells_(cells),
+      guide_(std::move(guide)),
+      reached_(cells.count(), 0)
+  {}
 
   void begin(const Pose& pose)
   {

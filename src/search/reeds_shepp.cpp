@@ -73,8 +73,7 @@ bool settle(double& angle, double slack, double& shift)
 {
   angle = wrap(angle);
   shift = 0.0;
-  if (angle >= 0.0)
-    return true;
+  if (angle >= 0.0) return true;
   const bool to_zero = -angle <= slack;
   shift = to_zero ? -angle : -pi - angle;
   angle = to_zero ? 0.0 : pi;
@@ -86,11 +85,9 @@ bool settle(double& angle, double slack, double& shift)
 Ends ends(double t, double a, int k, int sign, double slack)
 {
   double shift;
-  if (!settle(t, slack, shift))
-    return {0.0, 0.0, false};
+  if (!settle(t, slack, shift)) return {0.0, 0.0, false};
   double v = sign * k * (t - a);
-  if (!settle(v, slack, shift))
-    return {0.0, 0.0, false};
+  if (!settle(v, slack, shift)) return {0.0, 0.0, false};
   const double shifted = t + sign * k * shift;
   t = std::clamp(shifted, 0.0, pi);
   return {t, sign * v, std::abs(shifted - t) <= tolerance};
@@ -122,15 +119,13 @@ struct Formulas
   void symmetric_words()
   {
     const double phi = view.phi, straight = opposite.tangent, beta = opposite.beta;
-    word(L, 1, 0.0, phi, Segment{S, same.r});  // (8.1) L+ S+ L+
-    if (straight >= 0.0)
-      word(R, 1, beta, phi, Segment{S, straight});  // (8.2) L+ S+ R+
-    if (const double u = -same.middle; u <= 0.0)
-      word(L, 1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.3) L+ R- L+
+    word(L, 1, 0.0, phi, Segment{S, same.r});                                                       // (8.1) L+ S+ L+
+    if (straight >= 0.0) word(R, 1, beta, phi, Segment{S, straight});                               // (8.2) L+ S+ R+
+    if (const double u = -same.middle; u <= 0.0) word(L, 1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.3) L+ R- L+
     if (const double u = opposite.u_outer; u >= 0.0)
       word(R, -1, half_pi + u, phi + 2.0 * u, Segment{R, u}, Segment{L, -u});  // (8.7) L+ R+u L-u R-
     if (const double u = -opposite.u_inner; u <= 0.0)
-      word(R, 1, half_pi + opposite.bend, phi, Segment{R, u}, Segment{L, u});  // (8.8) L+ R-u L-u R+
+      word(R, 1, half_pi + opposite.bend, phi, Segment{R, u}, Segment{L, u});         // (8.8) L+ R-u L-u R+
     if (const double u = std::min(0.0, 4.0 - straight); straight >= 4.0 - tolerance)  // (8.11) L+ R- S- L- R+
       word(R, 1, half_pi + beta, phi, Segment{R, -half_pi}, Segment{S, u}, Segment{L, -half_pi});
   }
@@ -139,8 +134,7 @@ struct Formulas
   void asymmetric_words()
   {
     const double phi = view.phi;
-    if (const double u = -same.middle; u <= 0.0)
-      word(L, -1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.4) L+ R- L-
+    if (const double u = -same.middle; u <= 0.0) word(L, -1, pi + 0.5 * u, phi + u, Segment{R, u});  // (8.4) L+ R- L-
     if (const double u = std::min(0.0, 2.0 - same.tangent); same.tangent >= 2.0 - tolerance)  // (8.9) L+ R- S- L-
       word(L, -1, half_pi + same.beta, phi - half_pi, Segment{R, -half_pi}, Segment{S, u});
     if (const double u = std::min(0.0, 2.0 - opposite.r); opposite.r >= 2.0 - tolerance)  // (8.10) L+ R- S- R-
@@ -166,16 +160,14 @@ Centres centres(double xi, double eta)
 SameCentres same_centres(double xi, double eta)
 {
   SameCentres c{centres(xi, eta)};
-  if (c.r <= 4.0 + tolerance)
-    c.middle = 2.0 * std::asin(std::min(1.0, 0.25 * c.r));
+  if (c.r <= 4.0 + tolerance) c.middle = 2.0 * std::asin(std::min(1.0, 0.25 * c.r));
   return c;
 }
 
 OppositeCentres opposite_centres(double xi, double eta)
 {
   OppositeCentres c{centres(xi, eta)};
-  if (c.r <= 2.0 + tolerance)
-    c.u_outer = std::acos(std::min(1.0, 0.5 + 0.25 * c.r));
+  if (c.r <= 2.0 + tolerance) c.u_outer = std::acos(std::min(1.0, 0.5 + 0.25 * c.r));
   const double rho = (20.0 - c.r * c.r) / 16.0;
   if (rho >= -tolerance && rho <= 1.0 + tolerance)
   {
@@ -189,8 +181,7 @@ OppositeCentres opposite_centres(double xi, double eta)
 template <typename Sink>
 void every_word(const Pose& goal, Sink& sink)
 {
-  if (!is_finite(goal))
-    throw std::invalid_argument("Reeds-Shepp goal is not finite");
+  if (!is_finite(goal)) throw std::invalid_argument("Reeds-Shepp goal is not finite");
   const double theta = std::remainder(goal.theta, 2.0 * pi), s = std::sin(theta), c = std::cos(theta);
   // (xi, eta) for words that begin to the left, and for their reflection.
   const SameCentres same[] = {same_centres(goal.x - s, goal.y + (c - 1.0)),
@@ -219,8 +210,7 @@ void every_word(const Pose& goal, Sink& sink)
 double total(Segments segments)
 {
   double length = 0.0;
-  for (const Segment& segment : segments)
-    length += std::abs(segment.length);
+  for (const Segment& segment : segments) length += std::abs(segment.length);
   return length;
 }
 
@@ -231,8 +221,7 @@ ReedsSheppPath read_back(const View& view, Segments segments)
   for (const Segment& segment : segments)
     if (std::abs(segment.length) > tolerance)
       path.segments[path.count++] = {segment.turn * view.side, segment.length * view.time};
-  if (view.backwards)
-    std::reverse(path.segments.begin(), path.segments.begin() + path.count);
+  if (view.backwards) std::reverse(path.segments.begin(), path.segments.begin() + path.count);
   path.length = total(segments);
   return path;
 }
@@ -242,8 +231,9 @@ ReedsSheppPath read_back(const View& view, Segments segments)
 void reeds_shepp_words(const Pose& goal, ReedsSheppWords& words)
 {
   words.count = 0;
-  auto append = [&words](const View& view, Segments segments)
-  { words.paths[words.count++] = read_back(view, segments); };
+  auto append = [&words](const View& view, Segments segments) {
+    words.paths[words.count++] = read_back(view, segments);
+  };
   every_word(goal, append);
 }
 
@@ -259,10 +249,8 @@ ReedsSheppPath shortest_reeds_shepp(const Pose& goal)
 {
   ReedsSheppPath shortest;
   shortest.length = std::numeric_limits<double>::infinity();
-  auto keep = [&shortest](const View& view, Segments segments)
-  {
-    if (total(segments) < shortest.length)
-      shortest = read_back(view, segments);
+  auto keep = [&shortest](const View& view, Segments segments) {
+    if (total(segments) < shortest.length) shortest = read_back(view, segments);
   };
   every_word(goal, keep);
   return shortest;

@@ -24,8 +24,8 @@ struct Place
 {
   Pose pose;
   double cost = std::numeric_limits<double>::infinity();  ///< from the start
-  std::size_t from = 0;  ///< the place before
-  ModeCurve curve;       ///< from there to here
+  std::size_t from = 0;                                   ///< the place before
+  ModeCurve curve;                                        ///< from there to here
 };
 
 class Shortcut
@@ -33,7 +33,11 @@ class Shortcut
 public:
   Shortcut(const CollisionChecker& checker, const ModeCurves& curves, const MotionCost& cost, const Path& path,
            Mode start_mode)
-    : checker_(checker), curves_(curves), cost_(cost), path_(path), start_mode_(start_mode)
+    : checker_(checker),
+      curves_(curves),
+      cost_(cost),
+      path_(path),
+      start_mode_(start_mode)
   {
     for (const PathPiece& piece : path.pieces) append_split(piece);
     places_.resize(pieces_.size() + 1);
@@ -127,8 +131,7 @@ private:
   /// From a place straight to a later one, if that is cheaper.
   void join(std::size_t from, std::size_t to)
   {
-    const double budget =
-        std::min(places_[to].cost - places_[from].cost, original_[to] - original_[from]) - kLeastGain;
+    const double budget = std::min(places_[to].cost - places_[from].cost, original_[to] - original_[from]) - kLeastGain;
     if (budget <= distance(places_[from].pose, places_[to].pose)) return;
     curves_.candidates(places_[from].pose, {mode_at(from), last_piece(from), from == 0}, places_[to].pose, budget,
                        candidates_);
@@ -178,7 +181,7 @@ private:
   const Mode start_mode_;
   std::vector<PathPiece> pieces_;  ///< of the path, the long ones split
   std::vector<double> original_;
-  std::vector<Place> places_;      ///< one more than pieces
+  std::vector<Place> places_;  ///< one more than pieces
   std::vector<ModeCurve> candidates_;
 };
 

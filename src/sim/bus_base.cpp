@@ -7,9 +7,9 @@ namespace fourwis::sim
 
 BusBase::BusBase(const std::string& bus, const Robot& robot, const can::BridgeOptions& bridge,
                  const SimulatorOptions& simulator)
-  : bus_(can::open_bus(bus)), drives_(*bus_, robot, bridge, simulator)
-{
-}
+  : bus_(can::open_bus(bus)),
+    drives_(*bus_, robot, bridge, simulator)
+{}
 
 void BusBase::advance(double now)
 {

@@ -17,9 +17,12 @@ constexpr int kToPreOperational = 0, kToStopped = 2;
 }  // namespace
 
 Communication::Communication(ObjectDictionary& dictionary, std::uint8_t node, FrameSink send)
-  : dictionary_(dictionary), node_(node), send_(std::move(send)), receive_pdos_(dictionary), transmit_pdos_(dictionary)
-{
-}
+  : dictionary_(dictionary),
+    node_(node),
+    send_(std::move(send)),
+    receive_pdos_(dictionary),
+    transmit_pdos_(dictionary)
+{}
 
 void Communication::boot()
 {

@@ -13,7 +13,7 @@ namespace fourwis::sim
 enum class CommunicationEvent
 {
   none,
-  connection_lost,      ///< the master's heartbeat is lost, or it has stopped the node
+  connection_lost,  ///< the master's heartbeat is lost, or it has stopped the node
   reset_node,
   reset_communication
 };

@@ -37,10 +37,13 @@ DriveOptions drive_options(const can::BridgeOptions& options, int node, const ca
 
 DriveAxis::DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers,
                      const DriveOptions& drive)
-  : node_(axis.node), wheel_(wheel), steers_(steers), counts_per_unit_(scale.counts_per_unit()),
-    offset_(steers ? axis.offset : 0.0), drive_(drive)
-{
-}
+  : node_(axis.node),
+    wheel_(wheel),
+    steers_(steers),
+    counts_per_unit_(scale.counts_per_unit()),
+    offset_(steers ? axis.offset : 0.0),
+    drive_(drive)
+{}
 
 DriveAxis DriveAxis::steering(const Robot& robot, const can::BridgeOptions& options, int wheel)
 {

@@ -15,18 +15,27 @@ constexpr std::int64_t kLow32 = std::numeric_limits<std::int32_t>::min();
 constexpr std::int64_t kHigh32 = std::numeric_limits<std::int32_t>::max();
 constexpr std::int64_t kMost32 = std::numeric_limits<std::uint32_t>::max();
 
-Object constant(std::uint8_t size, std::int64_t value) { return {size, ObjectUse::constant, value, 0, 0}; }
+Object constant(std::uint8_t size, std::int64_t value)
+{
+  return {size, ObjectUse::constant, value, 0, 0};
+}
 Object setting(std::uint8_t size, std::int64_t value, std::int64_t low, std::int64_t high)
 {
   return {size, ObjectUse::setting, value, low, high};
 }
-Object status(std::uint8_t size, std::int64_t low = 0) { return {size, ObjectUse::status, 0, low, 0}; }
+Object status(std::uint8_t size, std::int64_t low = 0)
+{
+  return {size, ObjectUse::status, 0, low, 0};
+}
 Object command(std::uint8_t size, std::int64_t low, std::int64_t high)
 {
   return {size, ObjectUse::command, 0, low, high};
 }
 
-std::int64_t whole(double value) { return std::llround(std::clamp(value, 1.0, static_cast<double>(kMost32))); }
+std::int64_t whole(double value)
+{
+  return std::llround(std::clamp(value, 1.0, static_cast<double>(kMost32)));
+}
 
 void add_errors(ObjectDictionary& objects)
 {
@@ -133,12 +142,12 @@ const std::vector<std::int64_t>* values_known(std::uint16_t index)
 {
   using namespace mode_of_operation;
   static const std::map<std::uint16_t, std::vector<std::int64_t>> known = {
-    {object::kAbortConnection, {0, 1, 2, 3}},
-    {object::kQuickStopOption, {0, 1, 2, 5, 6}},
-    {object::kHaltOption, {1, 2}},
-    {object::kFaultReactionOption, {0, 1, 2}},
-    {object::kHomingMethod, {0, 34, 35, 37}},
-    {object::kMode, {kNone, kProfilePosition, kProfileVelocity, kHoming, kCyclicPosition, kCyclicVelocity}}};
+      {object::kAbortConnection, {0, 1, 2, 3}},
+      {object::kQuickStopOption, {0, 1, 2, 5, 6}},
+      {object::kHaltOption, {1, 2}},
+      {object::kFaultReactionOption, {0, 1, 2}},
+      {object::kHomingMethod, {0, 34, 35, 37}},
+      {object::kMode, {kNone, kProfilePosition, kProfileVelocity, kHoming, kCyclicPosition, kCyclicVelocity}}};
   const auto found = known.find(index);
   return found == known.end() ? nullptr : &found->second;
 }

@@ -20,8 +20,7 @@ inline constexpr std::uint16_t kAbortConnection = 0x6007, kErrorCode = 0x603F, k
                                kPositionActual = 0x6064, kFollowingWindow = 0x6065, kFollowingTime = 0x6066,
                                kVelocityActual = 0x606C, kTorqueActual = 0x6077, kSupplyVoltage = 0x6079,
                                kTargetPosition = 0x607A, kHomeOffset = 0x607C, kSoftLimits = 0x607D,
-                               kProfileVelocity = 0x6081, kProfileAcceleration = 0x6083,
-                               kProfileDeceleration = 0x6084,
+                               kProfileVelocity = 0x6081, kProfileAcceleration = 0x6083, kProfileDeceleration = 0x6084,
                                kQuickStopDeceleration = 0x6085, kHomingMethod = 0x6098, kHomingSpeeds = 0x6099,
                                kInterpolationPeriod = 0x60C2, kTargetVelocity = 0x60FF, kSupportedModes = 0x6502;
 }  // namespace object

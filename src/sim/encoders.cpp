@@ -8,7 +8,8 @@ namespace fourwis
 {
 
 Encoders::Encoders(const EncoderOptions& options, int seed)
-  : options_(options), engine_(static_cast<std::mt19937_64::result_type>(seed))
+  : options_(options),
+    engine_(static_cast<std::mt19937_64::result_type>(seed))
 {
   require_between("angle_resolution", options.angle_resolution, 0.0, 0.1);
   require_between("angle_noise", options.angle_noise, 0.0, 0.1);

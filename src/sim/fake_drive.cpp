@@ -77,9 +77,7 @@ private:
       case CommunicationEvent::none: return;
       case CommunicationEvent::connection_lost: power_->lose_connection(); return;
       case CommunicationEvent::reset_node: reboot(now); return;
-      case CommunicationEvent::reset_communication:
-        power_->lose_connection();
-        restart(now, 0x1000, 0x1FFF);
+      case CommunicationEvent::reset_communication: power_->lose_connection(); restart(now, 0x1000, 0x1FFF);
     }
   }
 
@@ -134,16 +132,49 @@ FakeDrive::~FakeDrive() = default;
 FakeDrive::FakeDrive(FakeDrive&&) noexcept = default;
 FakeDrive& FakeDrive::operator=(FakeDrive&&) noexcept = default;
 
-void FakeDrive::receive(double now, const can::Frame& frame) { implementation_->receive(now, frame); }
-void FakeDrive::advance(double now, const AxisMotion& motor) { implementation_->advance(now, motor); }
-AxisDemand FakeDrive::demand() const { return implementation_->demand(); }
-std::vector<can::Frame> FakeDrive::take_sent() { return implementation_->take_sent(); }
-void FakeDrive::reboot(double now) { implementation_->reboot(now); }
-void FakeDrive::fail(std::uint16_t code) { implementation_->fail(code); }
-void FakeDrive::warn(std::uint16_t code) { implementation_->warn(code); }
-void FakeDrive::shift_encoder(double counts) { implementation_->shift_encoder(counts); }
-NmtState FakeDrive::nmt_state() const { return implementation_->nmt_state(); }
-PowerState FakeDrive::power_state() const { return implementation_->power_state(); }
-const ObjectDictionary& FakeDrive::objects() const { return implementation_->objects(); }
+void FakeDrive::receive(double now, const can::Frame& frame)
+{
+  implementation_->receive(now, frame);
+}
+void FakeDrive::advance(double now, const AxisMotion& motor)
+{
+  implementation_->advance(now, motor);
+}
+AxisDemand FakeDrive::demand() const
+{
+  return implementation_->demand();
+}
+std::vector<can::Frame> FakeDrive::take_sent()
+{
+  return implementation_->take_sent();
+}
+void FakeDrive::reboot(double now)
+{
+  implementation_->reboot(now);
+}
+void FakeDrive::fail(std::uint16_t code)
+{
+  implementation_->fail(code);
+}
+void FakeDrive::warn(std::uint16_t code)
+{
+  implementation_->warn(code);
+}
+void FakeDrive::shift_encoder(double counts)
+{
+  implementation_->shift_encoder(counts);
+}
+NmtState FakeDrive::nmt_state() const
+{
+  return implementation_->nmt_state();
+}
+PowerState FakeDrive::power_state() const
+{
+  return implementation_->power_state();
+}
+const ObjectDictionary& FakeDrive::objects() const
+{
+  return implementation_->objects();
+}
 
 }  // namespace fourwis::sim

@@ -29,8 +29,11 @@ class FakeDrives::Implementation
 {
 public:
   Implementation(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator)
-    : port_(bus), plant_(robot, simulator.actuators, simulator.slip), line_(faults_),
-      intruders_(faults_, bridge.bit_rate), time_step_(simulator.time_step)
+    : port_(bus),
+      plant_(robot, simulator.actuators, simulator.slip),
+      line_(faults_),
+      intruders_(faults_, bridge.bit_rate),
+      time_step_(simulator.time_step)
   {
     require_between("time_step", time_step_, 1e-4, 0.01);
     for (int wheel = 0; wheel < kWheels; ++wheel) axes_.push_back(DriveAxis::steering(robot, bridge, wheel));
@@ -78,17 +81,15 @@ private:
   /// Those that happen once, in the drives themselves.
   void begin_faults()
   {
-    faults_.for_each_active(
-      [this](const DriveFault& fault, bool begins)
-      {
-        if (!begins || is_of_the_bus(fault.kind)) return;
-        FakeDrive& drive = axis(fault.node).drive();
-        const auto code = static_cast<std::uint16_t>(fault.value);
-        if (fault.kind == DriveFaultKind::reboot) drive.reboot(time());
-        if (fault.kind == DriveFaultKind::emergency) drive.warn(code);
-        if (fault.kind == DriveFaultKind::drive_fault) drive.fail(code);
-        if (fault.kind == DriveFaultKind::encoder_jump) drive.shift_encoder(static_cast<double>(fault.value));
-      });
+    faults_.for_each_active([this](const DriveFault& fault, bool begins) {
+      if (!begins || is_of_the_bus(fault.kind)) return;
+      FakeDrive& drive = axis(fault.node).drive();
+      const auto code = static_cast<std::uint16_t>(fault.value);
+      if (fault.kind == DriveFaultKind::reboot) drive.reboot(time());
+      if (fault.kind == DriveFaultKind::emergency) drive.warn(code);
+      if (fault.kind == DriveFaultKind::drive_fault) drive.fail(code);
+      if (fault.kind == DriveFaultKind::encoder_jump) drive.shift_encoder(static_cast<double>(fault.value));
+    });
   }
 
   void receive()
@@ -141,20 +142,49 @@ private:
 FakeDrives::FakeDrives(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge,
                        const SimulatorOptions& simulator)
   : implementation_(std::make_unique<Implementation>(bus, robot, bridge, simulator))
-{
-}
+{}
 
 FakeDrives::~FakeDrives() = default;
 
-void FakeDrives::place(const Pose& pose) { implementation_->plant().place(pose); }
-void FakeDrives::step() { implementation_->step(); }
-void FakeDrives::advance(double duration) { implementation_->advance(duration); }
-double FakeDrives::time() const { return implementation_->time(); }
-const Pose& FakeDrives::pose() const { return implementation_->plant().body().pose(); }
-const Twist& FakeDrives::twist() const { return implementation_->plant().body().twist(); }
-WheelMotion FakeDrives::truth() const { return implementation_->plant().wheels(); }
-const FakeDrive& FakeDrives::drive(int node) const { return implementation_->axis(node).drive(); }
-void FakeDrives::inject(const DriveFault& fault) { implementation_->inject(fault); }
-void FakeDrives::clear_faults() { implementation_->clear_faults(); }
+void FakeDrives::place(const Pose& pose)
+{
+  implementation_->plant().place(pose);
+}
+void FakeDrives::step()
+{
+  implementation_->step();
+}
+void FakeDrives::advance(double duration)
+{
+  implementation_->advance(duration);
+}
+double FakeDrives::time() const
+{
+  return implementation_->time();
+}
+const Pose& FakeDrives::pose() const
+{
+  return implementation_->plant().body().pose();
+}
+const Twist& FakeDrives::twist() const
+{
+  return implementation_->plant().body().twist();
+}
+WheelMotion FakeDrives::truth() const
+{
+  return implementation_->plant().wheels();
+}
+const FakeDrive& FakeDrives::drive(int node) const
+{
+  return implementation_->axis(node).drive();
+}
+void FakeDrives::inject(const DriveFault& fault)
+{
+  implementation_->inject(fault);
+}
+void FakeDrives::clear_faults()
+{
+  implementation_->clear_faults();
+}
 
 }  // namespace fourwis::sim

@@ -56,16 +56,14 @@ void Intruders::step(double now, double dt, const FrameSink& send)
 {
   const bool cycle = now >= cycle_ + kPeriod - kRounding;
   if (cycle) cycle_ = now;
-  faults_.for_each_active(
-    [&](const DriveFault& fault, bool begins)
-    {
-      if (fault.kind == DriveFaultKind::foreign_master && cycle) send(foreign_command(fault));
-      if (fault.kind == DriveFaultKind::duplicate_id && begins) send(boot_up(fault));
-      if (fault.kind == DriveFaultKind::duplicate_id && cycle) send(idle_status(fault));
-      if (fault.kind == DriveFaultKind::error_passive && begins) send(error_passive());
-      if (fault.kind == DriveFaultKind::bus_off && begins) send(error_frame(kErrorBusOff));
-      if (fault.kind == DriveFaultKind::flood) flood(fault, dt, send);
-    });
+  faults_.for_each_active([&](const DriveFault& fault, bool begins) {
+    if (fault.kind == DriveFaultKind::foreign_master && cycle) send(foreign_command(fault));
+    if (fault.kind == DriveFaultKind::duplicate_id && begins) send(boot_up(fault));
+    if (fault.kind == DriveFaultKind::duplicate_id && cycle) send(idle_status(fault));
+    if (fault.kind == DriveFaultKind::error_passive && begins) send(error_passive());
+    if (fault.kind == DriveFaultKind::bus_off && begins) send(error_frame(kErrorBusOff));
+    if (fault.kind == DriveFaultKind::flood) flood(fault, dt, send);
+  });
 }
 
 void Intruders::flood(const DriveFault& fault, double dt, const FrameSink& send)

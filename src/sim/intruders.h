@@ -22,7 +22,7 @@ private:
 
   const FaultSchedule& faults_;
   double bit_rate_;
-  double cycle_ = 0.0;   ///< when those who send at 100 Hz have last sent
+  double cycle_ = 0.0;      ///< when those who send at 100 Hz have last sent
   double bits_left_ = 0.0;  ///< of what the bus has carried, not yet filled
 };
 

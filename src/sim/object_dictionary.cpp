@@ -31,7 +31,7 @@ AbortCode ObjectDictionary::existence(ObjectAddress address) const
   if (objects_.count(address) > 0) return AbortCode::none;
   const auto sibling = objects_.lower_bound({address.index, 0});
   return sibling != objects_.end() && sibling->first.index == address.index ? AbortCode::no_sub_index
-                                                                           : AbortCode::no_object;
+                                                                            : AbortCode::no_object;
 }
 
 AbortCode ObjectDictionary::write(ObjectAddress address, std::uint8_t size, std::uint32_t bytes)

@@ -9,7 +9,10 @@ namespace
 
 constexpr std::uint32_t kExtended = 1u << 29, kIdBits = 0x7FF;
 
-bool is_among(std::uint16_t index, std::uint16_t first) { return index >= first && index < first + kPdos; }
+bool is_among(std::uint16_t index, std::uint16_t first)
+{
+  return index >= first && index < first + kPdos;
+}
 
 bool exists(const ObjectDictionary& dictionary, std::uint16_t parameters)
 {

@@ -21,8 +21,7 @@ Plant::Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOpt
   : wheels_(kWheels, Wheel{Actuator({robot.wheel_max_angle, robot.wheel_max_rate, checked(actuators).steering_lag}),
                            Actuator({robot.wheel_max_speed, actuators.drive_acceleration, actuators.drive_lag})}),
     body_(robot, slip)
-{
-}
+{}
 
 void Plant::place(const Pose& pose)
 {

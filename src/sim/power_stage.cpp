@@ -32,9 +32,10 @@ std::int64_t saturated(double counts)
 }  // namespace
 
 PowerStage::PowerStage(ObjectDictionary& dictionary, double max_velocity)
-  : dictionary_(dictionary), setpoints_(dictionary, max_velocity), homing_(dictionary)
-{
-}
+  : dictionary_(dictionary),
+    setpoints_(dictionary, max_velocity),
+    homing_(dictionary)
+{}
 
 void PowerStage::become_ready()
 {
@@ -146,8 +147,7 @@ void PowerStage::move(double dt)
 
 double PowerStage::deceleration(bool quick) const
 {
-  return static_cast<double>(
-    dictionary_.get(quick ? object::kQuickStopDeceleration : object::kProfileDeceleration));
+  return static_cast<double>(dictionary_.get(quick ? object::kQuickStopDeceleration : object::kProfileDeceleration));
 }
 
 bool PowerStage::watch_following(double dt)

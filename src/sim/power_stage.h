@@ -55,8 +55,8 @@ private:
   PowerState state_ = PowerState::not_ready;
   std::uint16_t controlword_ = 0;
   AxisMotion measured_;
-  double shift_ = 0.0;           ///< measured - motor [count]
-  double following_off_ = 0.0;   ///< how long the motor has been outside the window [s]
+  double shift_ = 0.0;          ///< measured - motor [count]
+  double following_off_ = 0.0;  ///< how long the motor has been outside the window [s]
   bool following_error_ = false;
   bool warning_ = false;
 };

@@ -35,9 +35,9 @@ PowerState from_ready(Command command)
   switch (command)
   {
     case Command::disable_voltage:
-    case Command::quick_stop: return PowerState::switch_on_disabled;         // 7
-    case Command::switch_on: return PowerState::switched_on;                 // 3
-    case Command::enable_operation: return PowerState::operation_enabled;    // 3 and 4
+    case Command::quick_stop: return PowerState::switch_on_disabled;       // 7
+    case Command::switch_on: return PowerState::switched_on;               // 3
+    case Command::enable_operation: return PowerState::operation_enabled;  // 3 and 4
     default: return PowerState::ready;
   }
 }
@@ -68,8 +68,8 @@ PowerState from_operation_enabled(Command command)
 
 PowerState from_quick_stop(Command command, bool holds)
 {
-  if (command == Command::disable_voltage) return PowerState::switch_on_disabled;               // 12
-  if (command == Command::enable_operation && holds) return PowerState::operation_enabled;      // 16
+  if (command == Command::disable_voltage) return PowerState::switch_on_disabled;           // 12
+  if (command == Command::enable_operation && holds) return PowerState::operation_enabled;  // 16
   return PowerState::quick_stop_active;
 }
 

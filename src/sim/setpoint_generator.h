@@ -13,9 +13,10 @@ class SetpointGenerator
 {
 public:
   SetpointGenerator(const ObjectDictionary& dictionary, double max_velocity)
-    : dictionary_(dictionary), max_velocity_(max_velocity), profile_(dictionary)
-  {
-  }
+    : dictionary_(dictionary),
+      max_velocity_(max_velocity),
+      profile_(dictionary)
+  {}
 
   /// Starts from where the motor is: power comes on, the mode changes or the counts are shifted. In the cyclic modes
   /// the target that stands in the objects counts from here on, whenever it was written.

@@ -28,8 +28,7 @@ ErrorModel::ErrorModel(const Robot& robot, Mode mode)
     mode_(mode),
     moves_(mode == Mode::spin ? 0.0 : 1.0),
     crabs_(mode == Mode::parallel ? 1.0 : 0.0)
-{
-}
+{}
 
 double ErrorModel::curvature(double phi) const
 {
@@ -55,7 +54,7 @@ ErrorState ErrorModel::error(const MotionState& state, const MotionState& refere
   const double dx = state.pose.x - reference.pose.x, dy = state.pose.y - reference.pose.y;
   ErrorState error;
   error << std::cos(psi) * dx + std::sin(psi) * dy, std::cos(psi) * dy - std::sin(psi) * dx,
-    wrap_angle(state.pose.theta - reference.pose.theta), state.v - reference.v, state.phi - reference.phi;
+      wrap_angle(state.pose.theta - reference.pose.theta), state.v - reference.v, state.phi - reference.phi;
   return error;
 }
 
@@ -78,7 +77,7 @@ ErrorState ErrorModel::rate(const ErrorState& error, const ErrorInput& input, co
   const double psi = error[kHeading] + crabs_ * error[kSteering];
   ErrorState rate;
   rate << moves_ * (v * std::cos(psi) - r.v) + turn * error[kAcross], moves_ * v * std::sin(psi) - turn * error[kAlong],
-    v * curvature(phi) - r.v * curvature(r.phi), input[0], input[1];
+      v * curvature(phi) - r.v * curvature(r.phi), input[0], input[1];
   return rate;
 }
 

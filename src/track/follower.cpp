@@ -27,8 +27,7 @@ Follower::Follower(const Robot& robot, const TrackOptions& options)
     forecast_(robot, options),
     watch_(options),
     error_model_(robot, Mode::ackermann)
-{
-}
+{}
 
 void Follower::start(const Reference& reference, const SteeringRange& steering, const Measurement& now)
 {
@@ -129,8 +128,7 @@ ModeMotion Follower::brake(const Measurement& now)
 {
   const double forward = std::copysign(1.0, asked_.v);
   double speed = std::abs(asked_.v);
-  if (now.usable)
-    speed = std::min(speed, forward * mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi).v);
+  if (now.usable) speed = std::min(speed, forward * mode_motion(robot_, reference_->mode(), now.wheels, asked_.phi).v);
   asked_.v = forward * std::max(0.0, speed - robot_.max_acceleration * now.period);
   return asked_;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "forecast.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/track/track_options.h"
-#include "forecast.h"
 #include "guard.h"
 #include "mpc.h"
 #include "observer.h"

@@ -70,8 +70,8 @@ Trouble judge_input(const TrackInput& input, const TrackOptions& options)
 {
   if (const Trouble trouble = judge_numbers(input)) return trouble;
   if (const Trouble trouble =
-        judge_age(input.now - input.pose_stamp, options.pose_timeout, "the pose is %.3f s old, pose_timeout is %.3f s",
-                  "the pose's stamp lies %.3f s ahead"))
+          judge_age(input.now - input.pose_stamp, options.pose_timeout,
+                    "the pose is %.3f s old, pose_timeout is %.3f s", "the pose's stamp lies %.3f s ahead"))
     return trouble;
   if (const Trouble trouble = judge_age(input.now - input.wheels.stamp, options.wheel_state_timeout,
                                         "the wheels' state is %.3f s old, wheel_state_timeout is %.3f s",

@@ -37,7 +37,7 @@ void HorizonModel::evaluate(int k, const State& x, const Control& u, const State
   const Interval& interval = intervals[static_cast<std::size_t>(k)];
   value.cost = 0.5 * interval.h * (state_weight.dot(x.cwiseAbs2()) + control_weight.dot(u.cwiseAbs2()));
   value.defect =
-    interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
+      interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
 }
 
 void HorizonModel::differentiate(int k, const State& x, const Control& u, const State&, Derivatives& d) const
@@ -69,7 +69,7 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
 
   const auto weight = [&](double scale) { return 1.0 / (scale * scale); };
   horizon_.state_weight << weight(options.longitudinal_scale), weight(options.lateral_scale),
-    weight(options.heading_scale), weight(options.speed_scale), weight(options.steering_scale);
+      weight(options.heading_scale), weight(options.speed_scale), weight(options.steering_scale);
   horizon_.control_weight << weight(options.acceleration_scale), weight(options.steering_rate_scale);
   horizon_.end_weight = kEnd;
   horizon_.intervals.resize(count);
@@ -123,7 +123,7 @@ void Mpc::set_interval(const Reference& reference, double t, int k)
                                  {(to.v - from.v) / h, (to.phi - from.phi) / h}};
   horizon_.intervals[at].jacobian = error_model_.jacobian(middle, h);
   const double rate =
-    std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
+      std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
   auto& bounds = problem_.bounds[at];
   bounds.lower.tail<2>() << -robot_.max_acceleration - middle.input.a, -rate - middle.input.omega;
   bounds.upper.tail<2>() << robot_.max_acceleration - middle.input.a, rate - middle.input.omega;
@@ -162,7 +162,7 @@ auto Mpc::solve_cold() -> const Solution&
     const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
     hold_.controls[k] = ErrorInput(from.v - to.v, from.phi - to.phi) / horizon_.intervals[k].h;
     hold_.states[k + 1] = horizon_.intervals[k].jacobian.leftCols<5>() * hold_.states[k] +
-      horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
+                          horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
   }
   return solver_.solve(horizon_, problem_, hold_, solver_options(false));
 }

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "error_model.h"
 #include "fourwis_navigation/ocp/solver.h"
 #include "fourwis_navigation/track/track_options.h"
-#include "error_model.h"
 
 namespace fourwis
 {

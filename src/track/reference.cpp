@@ -37,7 +37,7 @@ void Reference::assign(const TrajectoryPoint* first, const TrajectoryPoint* end)
   pieces_.assign(1, {*first, {}});
   for (const TrajectoryPoint* point = first; point + 1 < end; ++point) add_interval(point[0], point[1]);
   const auto [least, greatest] =
-    std::minmax_element(first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
+      std::minmax_element(first, end, [](const TrajectoryPoint& a, const TrajectoryPoint& b) { return a.phi < b.phi; });
   least_phi_ = least->phi;
   greatest_phi_ = greatest->phi;
 }

@@ -21,8 +21,7 @@ Pose velocity(const Robot& robot, Mode mode, double theta, double v, double phi)
 
 MotionState roll_out(const Robot& robot, Mode mode, const MotionState& start, const MotionInput& input, double duration)
 {
-  const auto at = [&](double fraction, double theta)
-  {
+  const auto at = [&](double fraction, double theta) {
     const double t = fraction * duration;
     return velocity(robot, mode, theta, start.v + t * input.a, start.phi + t * input.omega);
   };

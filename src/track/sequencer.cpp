@@ -23,8 +23,7 @@ Sequencer::Sequencer(const Robot& robot, const TrackOptions& options)
     steering_(robot),
     corrector_(robot, options),
     measured_(observer_.measured())
-{
-}
+{}
 
 void Sequencer::take(Mission& mission)
 {
@@ -123,7 +122,7 @@ WheelCommand Sequencer::align(const WheelState& wheels)
   }
   if (elapsed_ <= options_.alignment_timeout) return steering_.command();
   brake_for(
-    {"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_, options_.alignment_timeout});
+      {"the wheels are not aligned after %.3f s, alignment_timeout is %.3f s", elapsed_, options_.alignment_timeout});
   return brake();
 }
 

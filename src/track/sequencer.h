@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fourwis_navigation/track/tracker.h"
 #include "corrector.h"
 #include "follower.h"
+#include "fourwis_navigation/track/tracker.h"
 #include "mission.h"
 #include "observer.h"
 #include "steering_unit.h"

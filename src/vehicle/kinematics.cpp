@@ -48,7 +48,10 @@ Twist body_twist(const Robot& robot, Mode mode, double v, double phi)
 }
 
 Arc::Arc(const Robot& robot, const Pose& start, Mode mode, double phi)
-  : start_(start), kappa_(fourwis::curvature(robot, mode, phi)), cos_(std::cos(start.theta)), sin_(std::sin(start.theta))
+  : start_(start),
+    kappa_(fourwis::curvature(robot, mode, phi)),
+    cos_(std::cos(start.theta)),
+    sin_(std::sin(start.theta))
 {
   const double angle = course(mode, phi), c = std::cos(angle), s = std::sin(angle);
   cos_course_ = cos_ * c - sin_ * s;

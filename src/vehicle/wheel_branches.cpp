@@ -86,8 +86,7 @@ BranchedMotion continue_branches(const Robot& robot, const WheelMotion& motion, 
     continued.motion.angle[i] = motion.angle[i] + half_turns * M_PI;
     continued.motion.speed[i] = reversed ? -motion.speed[i] : motion.speed[i];
     const bool within = std::abs(continued.motion.angle[i]) <= robot.wheel_max_angle + kRounding;  // NaN is not
-    if (!within && !continued.beyond)
-      continued.beyond = BeyondTravel{static_cast<int>(i), continued.motion.angle[i]};
+    if (!within && !continued.beyond) continued.beyond = BeyondTravel{static_cast<int>(i), continued.motion.angle[i]};
   }
   return continued;
 }

@@ -28,9 +28,9 @@ Twist mean(const Twist& a, const Twist& b)
 }  // namespace
 
 WheelOdometry::WheelOdometry(const Robot& robot, const WheelTwistOptions& options, double longest_interval)
-  : twist_(robot, options), longest_interval_(longest_interval)
-{
-}
+  : twist_(robot, options),
+    longest_interval_(longest_interval)
+{}
 
 OdometryStatus WheelOdometry::update(double stamp, const WheelMotion& wheels)
 {
@@ -77,8 +77,8 @@ void WheelOdometry::integrate(const Twist& mean, double interval, const Eigen::M
   Eigen::Matrix3d input;
   input << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
   input *= interval;
-  state_.pose_covariance = transition * state_.pose_covariance * transition.transpose() +
-                           input * twist_covariance * input.transpose();
+  state_.pose_covariance =
+      transition * state_.pose_covariance * transition.transpose() + input * twist_covariance * input.transpose();
 }
 
 }  // namespace fourwis

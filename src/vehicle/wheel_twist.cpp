@@ -44,7 +44,8 @@ void check(const char* option, double value, double min, double max)
 }  // namespace
 
 WheelTwist::WheelTwist(const Robot& robot, const WheelTwistOptions& options)
-  : options_(options), axes_(wheel_positions(robot))
+  : options_(options),
+    axes_(wheel_positions(robot))
 {
   check("deviation", options.deviation, 0.0, 10.0);
   check("greatest_slip", options.greatest_slip, 0.0, 1e3);

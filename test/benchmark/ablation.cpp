@@ -81,9 +81,9 @@ std::vector<std::string> row(const Variant& variant, const Setup& setup, const O
              fixed(worst(outcome.ms), 2)};
   }
   cells.insert(cells.begin(), {variant.name, to_string(outcome.found.status)});
-  cells.insert(cells.end(), {std::to_string(outcome.found.expansions), fixed(variant.paper_length, 3),
-                             fixed(variant.paper_position_error, 3), fixed(variant.paper_yaw_error, 3),
-                             fixed(variant.paper_ms, 1)});
+  cells.insert(cells.end(),
+               {std::to_string(outcome.found.expansions), fixed(variant.paper_length, 3),
+                fixed(variant.paper_position_error, 3), fixed(variant.paper_yaw_error, 3), fixed(variant.paper_ms, 1)});
   return cells;
 }
 

@@ -46,7 +46,8 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
     sample.cpu_ms.push_back(cpu_ms() - begin);
     Refinement polished = sample.refinement;
     const double between = cpu_ms();
-    polish(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed, Interrupt(), polished);
+    polish(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed, Interrupt(),
+           polished);
     sample.polish_ms.push_back(cpu_ms() - between);
   }
   return sample;
@@ -130,7 +131,8 @@ void report_back_end_scaling(const Report& report, const Setup& setup, const std
   report.title(title);
   report.table(table);
   report.line("Polished: " + summary(samples, &Sample::polished));
-  report.line(summary(samples, &Sample::refined) + "; paths " + std::to_string(samples.size()) + "/" + std::to_string(problems.size()));
+  report.line(summary(samples, &Sample::refined) + "; paths " + std::to_string(samples.size()) + "/" +
+              std::to_string(problems.size()));
 }
 
 }  // namespace fourwis::benchmark

@@ -110,8 +110,8 @@ void report_barn(const Report& report, const Setup& setup, const std::string& fo
   if (!export_folder.empty())
     for (const BarnMap& map : maps) write_map_file(map.grid, export_folder + "/" + map.name);
 
-  Table table({"robot m", "maps", "solved", "connected", "solved of connected", "solved of the others", "refused of the others",
-               "p50 ms", "p95 ms", "max ms"});
+  Table table({"robot m", "maps", "solved", "connected", "solved of connected", "solved of the others",
+               "refused of the others", "p50 ms", "p95 ms", "max ms"});
   std::vector<std::pair<std::string, Tally>> tallies;
   for (const Robot& robot : {setup.robot, small_robot()})
   {

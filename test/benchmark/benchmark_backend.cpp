@@ -25,10 +25,10 @@ std::string names_of(const ModeSet& modes)
 void report_problems(const Report& report, const BackendArguments& arguments)
 {
   for (const std::string& file : arguments.problems)
-    report_whole_plans(report, arguments.setup,
-                       "Whole plans: " + file.substr(file.find_last_of('/') + 1) + " (" +
-                         names_of(arguments.setup.modes) + ")",
-                       read_problems(file));
+    report_whole_plans(
+        report, arguments.setup,
+        "Whole plans: " + file.substr(file.find_last_of('/') + 1) + " (" + names_of(arguments.setup.modes) + ")",
+        read_problems(file));
 }
 
 void report_scaling(const Report& report, const BackendArguments& arguments)

@@ -47,8 +47,7 @@ int run(int argc, char** argv)
   if (given.count("help"))
     std::cout << options;
   else
-    report_latencies({std::cout, given.count("markdown") > 0},
-                     given["bus"].as<Names>(), given["commands"].as<int>());
+    report_latencies({std::cout, given.count("markdown") > 0}, given["bus"].as<Names>(), given["commands"].as<int>());
   return 0;
 }
 

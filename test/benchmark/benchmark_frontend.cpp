@@ -4,8 +4,8 @@
 
 #include "ablation.h"
 #include "barn.h"
-#include "frontend_arguments.h"
 #include "corner_to_corner.h"
+#include "frontend_arguments.h"
 #include "plan_table.h"
 #include "walled_in.h"
 

@@ -9,8 +9,8 @@ namespace fourwis::benchmark
 namespace
 {
 
-constexpr double kStep = 0.025;    ///< between neighbours of the lattice [m]
-constexpr int kHeadings = 60;      ///< headings of the lattice over half a turn: both discs are alike
+constexpr double kStep = 0.025;  ///< between neighbours of the lattice [m]
+constexpr int kHeadings = 60;    ///< headings of the lattice over half a turn: both discs are alike
 constexpr double kTurn = M_PI / kHeadings;
 
 struct LatticePose
@@ -23,18 +23,20 @@ class Lattice
 {
 public:
   Lattice(const OccupancyGrid& grid, const Pose& start)
-    : start_(start), left_(static_cast<int>(start.x / kStep)), below_(static_cast<int>(start.y / kStep)),
+    : start_(start),
+      left_(static_cast<int>(start.x / kStep)),
+      below_(static_cast<int>(start.y / kStep)),
       width_(left_ + 1 + static_cast<int>((grid.width * grid.resolution - start.x) / kStep)),
       height_(below_ + 1 + static_cast<int>((grid.height * grid.resolution - start.y) / kStep))
-  {
-  }
+  {}
 
   std::size_t size() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * kHeadings; }
   bool contains(const LatticePose& p) const { return p.x >= 0 && p.x < width_ && p.y >= 0 && p.y < height_; }
   std::size_t index(const LatticePose& p) const
   {
     return (static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(p.x)) *
-             kHeadings + static_cast<std::size_t>(p.heading);
+               kHeadings +
+           static_cast<std::size_t>(p.heading);
   }
   Pose pose(const LatticePose& p) const
   {
@@ -57,7 +59,9 @@ private:
 }  // namespace
 
 BruteForceFlood::BruteForceFlood(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot)
-  : grid_(grid), rule_(rule), offset_(robot.length / 4.0),
+  : grid_(grid),
+    rule_(rule),
+    offset_(robot.length / 4.0),
     radius_(std::hypot(robot.length / 4.0, robot.width / 2.0) + robot.safety_margin)
 {
   if (grid.origin.x != 0.0 || grid.origin.y != 0.0 || grid.origin.theta != 0.0)

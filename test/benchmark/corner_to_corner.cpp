@@ -19,7 +19,8 @@ class RoomyRegion
 {
 public:
   RoomyRegion(const ObstacleMap& map, const Robot& robot)
-    : map_(map), seen_(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()), false)
+    : map_(map),
+      seen_(static_cast<std::size_t>(map.width()) * static_cast<std::size_t>(map.height()), false)
   {
     const TwoDiscs discs = two_discs(robot);
     room_ = discs.offset + discs.radius;

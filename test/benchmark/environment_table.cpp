@@ -30,8 +30,8 @@ std::vector<std::string> our_cells(const Measurement& measurement)
 
 std::vector<std::string> paper_cells(const PaperResult& paper)
 {
-  return {fixed(paper.length, 3),         fixed(paper.arrival_time, 3),       fixed(paper.mean_curvature, 3),
-          fixed(paper.max_curvature, 3),  fixed(paper.standard_mode_rate, 3), fixed(paper.ms, 1)};
+  return {fixed(paper.length, 3),        fixed(paper.arrival_time, 3),       fixed(paper.mean_curvature, 3),
+          fixed(paper.max_curvature, 3), fixed(paper.standard_mode_rate, 3), fixed(paper.ms, 1)};
 }
 
 std::vector<std::string> row(Setup setup, const Problem& environment, const OccupancyGrid& grid, bool all_modes)

@@ -12,8 +12,8 @@ namespace
 
 bool same(const PlanResult& a, const PlanResult& b)
 {
-  return a.status == b.status && a.metrics.expansions == b.metrics.expansions &&
-         a.metrics.length == b.metrics.length && a.metrics.arrival_time == b.metrics.arrival_time;
+  return a.status == b.status && a.metrics.expansions == b.metrics.expansions && a.metrics.length == b.metrics.length &&
+         a.metrics.arrival_time == b.metrics.arrival_time;
 }
 
 }  // namespace

@@ -49,7 +49,9 @@ class Comparison
 {
 public:
   Comparison(const Setup& setup, const Problem& environment, const OccupancyGrid& grid)
-    : setup_(setup), environment_(environment), world_(grid, setup.robot, setup.options),
+    : setup_(setup),
+      environment_(environment),
+      world_(grid, setup.robot, setup.options),
       checker_(world_.obstacles, setup.robot),
       found_(find_path(checker_, setup.robot, setup.options.search, {environment.start, environment.goal, setup.modes},
                        Interrupt()))
@@ -57,8 +59,8 @@ public:
     if (found_.status != PlanStatus::succeeded) return;
     const double speed = setup.options.search.reference_speed;
     paper_ms_ = cpu_times(setup, [&] {
-      paper_ = refine_as_in_paper(world_.rectangles, setup.robot, PaperBackEndOptions(), speed, found_.path,
-                                  Interrupt());
+      paper_ =
+          refine_as_in_paper(world_.rectangles, setup.robot, PaperBackEndOptions(), speed, found_.path, Interrupt());
     });
     ours_ms_ = cpu_times(setup, [&] {
       ours_ = refine(checker_, world_.rectangles, setup.robot, setup.options.optimize, speed, found_.path, Interrupt());
@@ -95,9 +97,9 @@ public:
     if (found_.status != PlanStatus::succeeded) return "";
     const Verdict verdict = judge(paper_.trajectory);
     if (verdict.accepted()) return "";
-    return environment_.id + ": " + verdict.violations.front().what + " (at " +
-           fixed(verdict.violations.front().t, 2) + " s; least clearance " + fixed(1e3 * verdict.min_clearance, 1) +
-           " mm, worst rollout miss " + fixed(1e3 * verdict.max_rollout_position, 1) + " mm)";
+    return environment_.id + ": " + verdict.violations.front().what + " (at " + fixed(verdict.violations.front().t, 2) +
+           " s; least clearance " + fixed(1e3 * verdict.min_clearance, 1) + " mm, worst rollout miss " +
+           fixed(1e3 * verdict.max_rollout_position, 1) + " mm)";
   }
 
 private:

@@ -43,8 +43,7 @@ public:
     if (!result_.message.empty()) return result_;
     const double patience = 2.0 * trajectory_.back().t + kPatience;
     while (base_.time() < patience && step())
-    {
-    }
+    {}
     const Pose goal = trajectory_.back().pose();
     result_.terminal_position = distance(pose(), goal);
     result_.terminal_heading = std::abs(wrap_angle(pose().theta - goal.theta));
@@ -87,7 +86,7 @@ private:
     base_.command(output.command);
     let_time_pass();
     return output.state == TrackState::aligning || output.state == TrackState::driving ||
-      output.state == TrackState::stopping;
+           output.state == TrackState::stopping;
   }
 
   void observe(const TrackOutput& output, double ms)
@@ -95,11 +94,10 @@ private:
     result_.driving += period_;
     result_.step_ms.push_back(ms);
     const TrajectoryPoint should =
-      trajectory_at(circumstances_.robot, trajectory_, output.t + base_.time() - seen_.front().first);
-    const double course = should.theta +
-      (should.mode == Mode::lateral      ? M_PI_2
-         : should.mode == Mode::parallel ? should.phi
-                                         : 0.0);
+        trajectory_at(circumstances_.robot, trajectory_, output.t + base_.time() - seen_.front().first);
+    const double course = should.theta + (should.mode == Mode::lateral    ? M_PI_2
+                                          : should.mode == Mode::parallel ? should.phi
+                                                                          : 0.0);
     const Pose error = relative_to({should.x, should.y, course}, pose());
     result_.longitudinal.push_back(std::abs(error.x));
     result_.lateral.push_back(std::abs(error.y));

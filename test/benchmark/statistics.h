@@ -18,7 +18,13 @@ inline double quantile(std::vector<double> sample, double q)
   return sample[below] + (rank - std::floor(rank)) * (sample[above] - sample[below]);
 }
 
-inline double median(std::vector<double> sample) { return quantile(std::move(sample), 0.5); }
-inline double worst(std::vector<double> sample) { return quantile(std::move(sample), 1.0); }
+inline double median(std::vector<double> sample)
+{
+  return quantile(std::move(sample), 0.5);
+}
+inline double worst(std::vector<double> sample)
+{
+  return quantile(std::move(sample), 1.0);
+}
 
 }  // namespace fourwis::benchmark

@@ -15,8 +15,10 @@ void print_row(std::ostream& out, const std::vector<std::string>& row, const std
   for (std::size_t c = 0; c < row.size(); ++c)
   {
     const std::string padding(widths[c] - row[c].size(), ' ');
-    out << (markdown ? "| " : c > 0 ? "  " : "") << (c == 0 ? row[c] + padding : padding + row[c])
-        << (markdown ? " " : "");
+    out << (markdown ? "| "
+            : c > 0  ? "  "
+                     : "")
+        << (c == 0 ? row[c] + padding : padding + row[c]) << (markdown ? " " : "");
   }
   out << (markdown ? "|\n" : "\n");
 }

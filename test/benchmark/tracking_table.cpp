@@ -75,8 +75,8 @@ std::vector<std::string> row(const PlannedEnvironment& environment, const Drives
 }
 
 const std::vector<std::string> kHeader = {
-  "environment", "arrived", "collided", "lateral mm", "max",           "longitudinal mm", "max",    "at goal mm",
-  "deg",         "step ms", "p99",      "AT s",       "of it driving", "driven s",        "more %", "aligning s"};
+    "environment", "arrived", "collided", "lateral mm", "max",           "longitudinal mm", "max",    "at goal mm",
+    "deg",         "step ms", "p99",      "AT s",       "of it driving", "driven s",        "more %", "aligning s"};
 
 std::vector<std::string> paper_row()
 {
@@ -112,7 +112,7 @@ std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std:
   {
     const OccupancyGrid& grid = maps.grid(problem.map);
     const PlanResult result =
-      planner.plan(World(grid, setup.robot, setup.options), {problem.start, problem.goal, setup.modes, false});
+        planner.plan(World(grid, setup.robot, setup.options), {problem.start, problem.goal, setup.modes, false});
     if (result.status != PlanStatus::succeeded) throw std::runtime_error(problem.id + ": " + result.message);
     environments.push_back({problem.id, grid, result.trajectory});
   }
@@ -141,7 +141,7 @@ void report_variations(const Report& report, const std::vector<Variation>& varia
                        const std::vector<PlannedEnvironment>& environments)
 {
   Table table(
-    {"what differs", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg"});
+      {"what differs", "arrived", "collided", "lateral mm", "max", "longitudinal mm", "max", "at goal mm", "deg"});
   for (const Variation& variation : variations)
   {
     Drives drives;

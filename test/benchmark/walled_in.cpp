@@ -17,8 +17,7 @@ OccupancyGrid with_wall(OccupancyGrid grid, const IsWall& is_wall)
   for (int row = 0; row < grid.height; ++row)
     for (int column = 0; column < grid.width; ++column)
     {
-      const Pose centre =
-        compose(grid.origin, {(column + 0.5) * grid.resolution, (row + 0.5) * grid.resolution, 0.0});
+      const Pose centre = compose(grid.origin, {(column + 0.5) * grid.resolution, (row + 0.5) * grid.resolution, 0.0});
       if (is_wall(centre))
         grid.data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
                   static_cast<std::size_t>(column)] = 100;
@@ -83,10 +82,9 @@ void report_walled_in(const Report& report, const Setup& setup, const std::strin
   for (const Problem& problem : problems)
   {
     const OccupancyGrid& grid = maps.grid(problem.map);
-    const Measurement ringed =
-      measure(setup, with_ring(grid, setup.robot, problem.goal), problem.start, problem.goal);
+    const Measurement ringed = measure(setup, with_ring(grid, setup.robot, problem.goal), problem.start, problem.goal);
     const Measurement halved =
-      measure(setup, with_bisector(grid, problem.start, problem.goal), problem.start, problem.goal);
+        measure(setup, with_bisector(grid, problem.start, problem.goal), problem.start, problem.goal);
     add_row(table, problem.id, "ring", ringed);
     add_row(table, problem.id, "half", halved);
     ring.count(ringed);

@@ -88,10 +88,11 @@ struct Summary
       text += "; peer CPU / ours p50 " + fixed(median(speed_ratios), 1) + ", least " +
               fixed(quantile(speed_ratios, 0.0), 1);
     if (!time_ratios.empty())
-      text += "; AT / peer AT mean " +
-              fixed(std::accumulate(time_ratios.begin(), time_ratios.end(), 0.0) /
-                      static_cast<double>(time_ratios.size()), 3) +
-              ", worst " + fixed(worst(time_ratios), 3);
+      text +=
+          "; AT / peer AT mean " +
+          fixed(std::accumulate(time_ratios.begin(), time_ratios.end(), 0.0) / static_cast<double>(time_ratios.size()),
+                3) +
+          ", worst " + fixed(worst(time_ratios), 3);
     return text;
   }
 };

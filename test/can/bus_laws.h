@@ -120,7 +120,7 @@ TYPED_TEST_P(BusLaws, WhatIsNoFrameIsNotSent)
 {
   const auto sender = this->rig.open(), receiver = this->rig.open();
   const Frame too_long{0x1, false, false, false, 9, {}}, wide{0x800, false, false, false, 0, {}},
-    wider{0x20000000, true, false, false, 0, {}}, both{0x40, false, true, true, 8, {}};
+      wider{0x20000000, true, false, false, 0, {}}, both{0x40, false, true, true, 8, {}};
   for (const Frame& frame : {too_long, wide, wider, both})
   {
     EXPECT_EQ(sender->send(frame), BusStatus::failed);

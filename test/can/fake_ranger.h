@@ -34,7 +34,7 @@ public:
   int mode = 0, vehicle = 0, errors = 0;
   bool in_control = false, silent = false, jammed = false;
   bool tells_mode = true;
-  int motions = 0;  ///< commands of motion so far
+  int motions = 0;                                    ///< commands of motion so far
   int speed = 0, yaw = 0, lateral = 0, steering = 0;  ///< as commanded last [0.001]
 
 private:

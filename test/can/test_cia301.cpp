@@ -25,10 +25,10 @@ TEST(Cia301, MessagesAreTheBytesOfTheStandard)
 TEST(Cia301, IdentifiersAreThoseOfTheStandard)
 {
   const std::vector<std::pair<Service, std::uint32_t>> bases = {
-    {Service::emergency, 0x080}, {Service::tpdo1, 0x180},       {Service::tpdo2, 0x280},   {Service::tpdo3, 0x380},
-    {Service::tpdo4, 0x480},     {Service::rpdo1, 0x200},       {Service::rpdo2, 0x300},   {Service::rpdo3, 0x400},
-    {Service::rpdo4, 0x500},     {Service::sdo_request, 0x600}, {Service::sdo_reply, 0x580},
-    {Service::heartbeat, 0x700}};
+      {Service::emergency, 0x080},   {Service::tpdo1, 0x180},     {Service::tpdo2, 0x280},
+      {Service::tpdo3, 0x380},       {Service::tpdo4, 0x480},     {Service::rpdo1, 0x200},
+      {Service::rpdo2, 0x300},       {Service::rpdo3, 0x400},     {Service::rpdo4, 0x500},
+      {Service::sdo_request, 0x600}, {Service::sdo_reply, 0x580}, {Service::heartbeat, 0x700}};
   for (const auto& [service, base] : bases)
     for (int node = 1; node <= 127; ++node)
     {
@@ -67,8 +67,7 @@ TEST(Cia301, OnlyStandardDataFramesCount)
 
 TEST(Cia301, HeartbeatsThereAndBackAreTheSame)
 {
-  for (const NmtState state :
-       {NmtState::boot_up, NmtState::stopped, NmtState::operational, NmtState::pre_operational})
+  for (const NmtState state : {NmtState::boot_up, NmtState::stopped, NmtState::operational, NmtState::pre_operational})
     EXPECT_EQ(decode_heartbeat(encode_heartbeat(5, state)), state);
   EXPECT_FALSE(decode_heartbeat(frame_of(0x705, {0x06})));
   EXPECT_FALSE(decode_heartbeat(frame_of(0x705, {})));

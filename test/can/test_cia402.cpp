@@ -15,12 +15,18 @@ namespace
 TEST(Cia402, TheStatuswordTellsTheState)
 {
   using S = DriveState;
-  const std::map<int, S> table = {
-    {0x00, S::not_ready},          {0x20, S::not_ready},
-    {0x40, S::switch_on_disabled}, {0x60, S::switch_on_disabled},
-    {0x21, S::ready_to_switch_on}, {0x23, S::switched_on},
-    {0x27, S::operation_enabled},  {0x07, S::quick_stop_active},
-    {0x0F, S::fault_reaction},     {0x2F, S::fault_reaction}, {0x08, S::fault},              {0x28, S::fault}};
+  const std::map<int, S> table = {{0x00, S::not_ready},
+                                  {0x20, S::not_ready},
+                                  {0x40, S::switch_on_disabled},
+                                  {0x60, S::switch_on_disabled},
+                                  {0x21, S::ready_to_switch_on},
+                                  {0x23, S::switched_on},
+                                  {0x27, S::operation_enabled},
+                                  {0x07, S::quick_stop_active},
+                                  {0x0F, S::fault_reaction},
+                                  {0x2F, S::fault_reaction},
+                                  {0x08, S::fault},
+                                  {0x28, S::fault}};
   for (int word = 0; word <= 0xFFFF; ++word)
   {
     const auto row = table.find(word & 0x6F);
@@ -150,8 +156,7 @@ TEST(Cia402, CommandsThereAndBackAreTheSame)
   {
     const int word = random.whole(0, 0xFFFF), node = random.whole(1, 127);
     const int target = random.whole(-2147483647, 2147483647);
-    const Frame frame =
-      encode_drive_command(node, {static_cast<std::uint16_t>(word), OperationMode::homing, target});
+    const Frame frame = encode_drive_command(node, {static_cast<std::uint16_t>(word), OperationMode::homing, target});
     const std::vector<int> bytes(frame.data.begin(), frame.data.begin() + frame.size);
     const std::uint64_t expected = static_cast<std::uint64_t>(word) | 6u << 16 |
                                    static_cast<std::uint64_t>(static_cast<std::uint32_t>(target)) << 24;

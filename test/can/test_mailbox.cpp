@@ -31,16 +31,14 @@ TEST(Mailbox, BetweenTwoThreadsNothingIsTornNothingGoesBackAndTheLastArrives)
   using Block = std::array<int, 32>;
   constexpr int kLast = 200000;
   Mailbox<Block> mailbox;
-  std::thread writer(
-    [&]
+  std::thread writer([&] {
+    for (int i = 1; i <= kLast; ++i)
     {
-      for (int i = 1; i <= kLast; ++i)
-      {
-        Block block;
-        block.fill(i);
-        mailbox.put(block);
-      }
-    });
+      Block block;
+      block.fill(i);
+      mailbox.put(block);
+    }
+  });
   int last = 0;
   for (Block block{}; last < kLast;)
   {

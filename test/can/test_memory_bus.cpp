@@ -42,7 +42,10 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Memory, BusLaws, MemoryRig);
 constexpr double kBitRate = 500e3;
 const MemoryBusOptions kDisciplined{kBitRate, 12, 4096};
 
-Frame plain(std::uint32_t id, std::uint8_t size) { return {id, false, false, false, size, {}}; }
+Frame plain(std::uint32_t id, std::uint8_t size)
+{
+  return {id, false, false, false, size, {}};
+}
 
 TEST(FrameBits, TheCycleOfEightDrivesIsTheKnownBudget)
 {

@@ -77,8 +77,7 @@ TEST(Ranger, DecodersTakeNothingButTheirOwnMessages)
   {
     const std::uint32_t ids[] = {0x211, 0x221, 0x271, 0x281, 0x291};
     const Frame frame = i % 2 ? random_frame(random) : random_frame(random, ids[random.whole(0, 4)]);
-    const auto expect = [&](bool decoded, std::uint32_t id)
-    {
+    const auto expect = [&](bool decoded, std::uint32_t id) {
       EXPECT_EQ(decoded, is_standard(frame) && frame.size == 8 && frame.id == id);
       taken += decoded;
     };

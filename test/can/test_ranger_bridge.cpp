@@ -125,8 +125,7 @@ TEST_F(RangerBridge, NothingMovesWhileTheBaseChangesItsMode)
   command(Mode::ackermann, 0.4, 0.0);
   pass(2.0);
   command(Mode::lateral, 0.4, 0.0);
-  const auto slips = [&]
-  {
+  const auto slips = [&] {
     EXPECT_FALSE(ranger_.changing() && is_moving());
     return ranger_.lateral > 390;
   };
@@ -175,12 +174,10 @@ TEST_F(RangerBridge, StopsHoldTheAngles)
     pass(2.0);
     ASSERT_EQ(ranger_.speed, 500) << cause();
     stop();
-    ASSERT_TRUE(wait_for(
-      [&]
-      {
-        EXPECT_EQ(ranger_.steering, 700);
-        return !is_moving();
-      }));
+    ASSERT_TRUE(wait_for([&] {
+      EXPECT_EQ(ranger_.steering, 700);
+      return !is_moving();
+    }));
     pass(1.0);
     EXPECT_EQ(ranger_.steering, 700);
     EXPECT_FALSE(is_moving());
@@ -223,13 +220,11 @@ TEST_F(RangerBridge, WheelsThatRollDoNotSwingByHalfATurn)
   pass(3.0);
   ASSERT_EQ(ranger_.speed, 500) << cause();
   wanted_.motion.angle.fill(1.60);
-  ASSERT_TRUE(wait_for(
-    [&]
-    {
-      EXPECT_GE(ranger_.speed, 0);
-      EXPECT_GE(ranger_.steering, 1500);
-      return !is_moving();
-    }));
+  ASSERT_TRUE(wait_for([&] {
+    EXPECT_GE(ranger_.speed, 0);
+    EXPECT_GE(ranger_.steering, 1500);
+    return !is_moving();
+  }));
   EXPECT_EQ(fault(), Fault::unsupported_motion);
 }
 

@@ -44,7 +44,7 @@ TEST(RangerMotion, SpinOfTheMiniV2IsASpeedInTheLateralField)
   RangerOptions options;
   options.spin_by_speed = true;
   const RangerMotion motion =
-    RangerKinematics(kRobot, options).base_motion(Mode::spin, wheel_motion(kRobot, Mode::spin, 0.3, 0.0));
+      RangerKinematics(kRobot, options).base_motion(Mode::spin, wheel_motion(kRobot, Mode::spin, 0.3, 0.0));
   EXPECT_NEAR(motion.lateral, 0.3, 1e-9);
   EXPECT_EQ(motion.yaw, 0.0);
 }
@@ -62,7 +62,7 @@ TEST(RangerMotion, WhatIsMeasuredIsInOurOrderOnTheBranchThatWasCommanded)
   options.place = {2, 1, 4, 3};
   const RangerKinematics kinematics(kRobot, options);
   const WheelMotion motion =
-    kinematics.measured({0.1, 0.2, 0.3, 0.4}, {1.0, 2.0, 3.0, 4.0}, {0.2, 0.1 + M_PI, 0.5, 0.3 - M_PI});
+      kinematics.measured({0.1, 0.2, 0.3, 0.4}, {1.0, 2.0, 3.0, 4.0}, {0.2, 0.1 + M_PI, 0.5, 0.3 - M_PI});
   const PerWheel angles = {0.2, 0.1 + M_PI, 0.4, 0.3 - M_PI}, speeds = {2.0, -1.0, 4.0, -3.0};
   for (std::size_t i = 0; i < kWheels; ++i)
   {

@@ -23,17 +23,15 @@ TEST(RequestSlot, EachOneGetsItsOwnAnswer)
 {
   SignalEvent wake;
   RequestSlot slot(wake);
-  std::thread asked(
-    [&]
+  std::thread asked([&] {
+    for (int answers = 0; answers < 100;)
     {
-      for (int answers = 0; answers < 100;)
-      {
-        const Request request = slot.take();
-        if (request == Request::none) continue;
-        slot.answer(request == Request::enable ? nullptr : "no");
-        ++answers;
-      }
-    });
+      const Request request = slot.take();
+      if (request == Request::none) continue;
+      slot.answer(request == Request::enable ? nullptr : "no");
+      ++answers;
+    }
+  });
   for (int i = 0; i < 50; ++i)
   {
     EXPECT_EQ(slot.ask(Request::enable), "");

@@ -15,7 +15,7 @@ const Robot kRobot;
 std::uint32_t value_of(const SdoScript& script, std::uint16_t index)
 {
   const auto step =
-    std::find_if(script.begin(), script.end(), [&](const SdoStep& s) { return s.object.index == index; });
+      std::find_if(script.begin(), script.end(), [&](const SdoStep& s) { return s.object.index == index; });
   return step == script.end() ? 0 : step->value;
 }
 

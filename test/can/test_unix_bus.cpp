@@ -139,7 +139,11 @@ void take_part(Bus& bus, int self, int ends, int frames)
     Frame frame;
     if (sent < frames && sent < slowest() + kWindow)
     {
-      frame = {static_cast<std::uint32_t>(self), false, false, false, 2,
+      frame = {static_cast<std::uint32_t>(self),
+               false,
+               false,
+               false,
+               2,
                {static_cast<std::uint8_t>(sent), static_cast<std::uint8_t>(sent >> 8)}};
       ASSERT_EQ(bus.send(frame), BusStatus::ok);
       ++sent;

@@ -67,11 +67,32 @@ TEST(Arguments, DefaultsAreAllModesOnePlanAndNoOutput)
 
 TEST(Arguments, EveryOptionIsRead)
 {
-  const PlanArguments arguments =
-      parse({"--octomap", "building.bt", "--height-min", "-0.25", "--height-max", "2e0", "--start=-1,-2.5,1e-3",
-             "--goal", "-4,5,-6", "--robot", "r.yaml", "--planner", "p.yaml", "--modes", "lateral,parallel",
-             "--frontend-only", "--repeat", "20", "--json", "-", "--csv", "c.csv", "--svg", "s.svg",
-             "--corridors", "--iterations"});
+  const PlanArguments arguments = parse({"--octomap",
+                                         "building.bt",
+                                         "--height-min",
+                                         "-0.25",
+                                         "--height-max",
+                                         "2e0",
+                                         "--start=-1,-2.5,1e-3",
+                                         "--goal",
+                                         "-4,5,-6",
+                                         "--robot",
+                                         "r.yaml",
+                                         "--planner",
+                                         "p.yaml",
+                                         "--modes",
+                                         "lateral,parallel",
+                                         "--frontend-only",
+                                         "--repeat",
+                                         "20",
+                                         "--json",
+                                         "-",
+                                         "--csv",
+                                         "c.csv",
+                                         "--svg",
+                                         "s.svg",
+                                         "--corridors",
+                                         "--iterations"});
   EXPECT_EQ(arguments.map, "");
   EXPECT_EQ(arguments.octomap, "building.bt");
   EXPECT_EQ(arguments.band.min, -0.25);
@@ -139,8 +160,7 @@ TEST(Arguments, StartAndGoalAreNeededOnce)
 TEST(Arguments, HeightsBelongToAnOctomapAndAreInOrder)
 {
   const Words octomap = {"--octomap", "b", "--start", "0,0,0", "--goal", "0,0,0"};
-  const auto with = [&](Words more)
-  {
+  const auto with = [&](Words more) {
     more.insert(more.begin(), octomap.begin(), octomap.end());
     return more;
   };

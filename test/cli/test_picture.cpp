@@ -55,8 +55,7 @@ TEST(CellRectangles, MergeABlockToOne)
 TEST(CellRectangles, KnownBlockIsTheLeastAndTheWholeGridWhereNothingIsKnown)
 {
   OccupancyGrid grid{9, 7, 0.1, {}, std::vector<std::int8_t>(63, -1)};
-  const auto block = [&]
-  {
+  const auto block = [&] {
     const CellRectangle r = known_block(grid);
     return std::vector<int>{r.left, r.bottom, r.right, r.top};
   };
@@ -81,8 +80,8 @@ TEST(MotionSamples, LieOnTheExactArcAtMostAStepApart)
         const Pose start{1.0, -2.0, 0.5};
         const double duration = 2.0;
         const Trajectory trajectory = {
-          point(0.0, mode, start, speed, phi),
-          point(duration, mode, advance(robot, start, mode, phi, speed * duration), speed, phi)};
+            point(0.0, mode, start, speed, phi),
+            point(duration, mode, advance(robot, start, mode, phi, speed * duration), speed, phi)};
         const std::vector<ModeRun> runs = sample_motion(robot, trajectory, 0.02);
         ASSERT_EQ(runs.size(), 1u);
         const std::vector<Pose>& poses = runs[0].poses;
@@ -280,15 +279,14 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
 {
   const OccupancyGrid grid{40, 20, 0.1, {3.0, -1.0, 0.0}, std::vector<std::int8_t>(800, 0)};
   const Pose pose{5.0, 0.0, 0.0};
-  const std::vector<Corridor> corridors = {
-    {{{0.25, 0.0}, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}}, {{-0.25, 0.0}, {region(3.5, 0, 4, 0.25)}}},
-    {{{0.25, 0.0}, {region(6, 0, 6.5, 0.5)}}}};
+  const std::vector<Corridor> corridors = {{{{0.25, 0.0}, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}},
+                                            {{-0.25, 0.0}, {region(3.5, 0, 4, 0.25)}}},
+                                           {{{0.25, 0.0}, {region(6, 0, 6.5, 0.5)}}}};
   const std::string svg = drawn(grid, plan_in_all_modes(Robot(), pose), pose, pose, corridors);
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_EQ(count(svg, ">corridors<"), 1u);
 
-  const auto data_of = [&](const std::string& disc)
-  {
+  const auto data_of = [&](const std::string& disc) {
     const std::string begin = "class=\"corridor " + disc + "\" d=\"";
     const std::size_t at = svg.find(begin) + begin.size();
     return svg.substr(at, svg.find('"', at) - at);

@@ -165,10 +165,10 @@ TEST_F(PlanCommand, RepeatedPlansAreTheSamePlan)
 TEST_F(PlanCommand, NoPlanIsStatusOneAndSaysWhy)
 {
   const std::vector<std::pair<Words, std::string>> cases = {
-    {across("0,0,0", "5,4,0"), "start_in_collision"},
-    {across("-50,1,0", "5,4,0"), "start_in_collision"},
-    {across("1.5,1.5,0", "7.05,4,0"), "goal_in_collision"},
-    {across("1.5,1.5,0", "8.5,3,1.5708"), "goal_unreachable"},
+      {across("0,0,0", "5,4,0"), "start_in_collision"},
+      {across("-50,1,0", "5,4,0"), "start_in_collision"},
+      {across("1.5,1.5,0", "7.05,4,0"), "goal_in_collision"},
+      {across("1.5,1.5,0", "8.5,3,1.5708"), "goal_unreachable"},
   };
   for (const auto& [words, status] : cases)
   {
@@ -190,17 +190,17 @@ TEST_F(PlanCommand, UnusableInputIsStatusTwoNamedInOneLineAndInTheJson)
   std::ofstream(path("bad.bt")) << "no tree";
   const Words poses = {"--start", "1.5,1.5,0", "--goal", "5,4,0"};
   const std::vector<std::pair<Words, Words>> cases = {
-    {poses + Words{"--map", path("missing.yaml")}, {"missing.yaml"}},
-    {poses + Words{"--map", path("bad.yaml")}, {"bad.yaml", "resolution"}},
-    {poses + Words{"--octomap", path("bad.bt")}, {"bad.bt"}},
-    {easy() + Words{"--robot", path("robot.yaml")}, {"robot.yaml", "missing", "width"}},
-    {easy() + Words{"--robot", path("missing.yaml")}, {"missing.yaml"}},
-    {easy() + Words{"--planner", path("robot.yaml")}, {"robot.yaml", "unknown", "length", "nine"}},
-    {across("1.5,nan,0", "5,4,0"), {"--start", "nan"}},
-    {across("1.5,1,0", "5,4"), {"--goal", "'5,4'"}},
-    {easy() + Words{"--modes", "spin"}, {"--modes", "spin"}},
-    {easy() + Words{"--bogus"}, {"--bogus"}},
-    {{}, {"--start"}},
+      {poses + Words{"--map", path("missing.yaml")}, {"missing.yaml"}},
+      {poses + Words{"--map", path("bad.yaml")}, {"bad.yaml", "resolution"}},
+      {poses + Words{"--octomap", path("bad.bt")}, {"bad.bt"}},
+      {easy() + Words{"--robot", path("robot.yaml")}, {"robot.yaml", "missing", "width"}},
+      {easy() + Words{"--robot", path("missing.yaml")}, {"missing.yaml"}},
+      {easy() + Words{"--planner", path("robot.yaml")}, {"robot.yaml", "unknown", "length", "nine"}},
+      {across("1.5,nan,0", "5,4,0"), {"--start", "nan"}},
+      {across("1.5,1,0", "5,4"), {"--goal", "'5,4'"}},
+      {easy() + Words{"--modes", "spin"}, {"--modes", "spin"}},
+      {easy() + Words{"--bogus"}, {"--bogus"}},
+      {{}, {"--start"}},
   };
   for (const auto& [words, parts] : cases)
   {
@@ -232,7 +232,8 @@ std::string changed(const std::string& file, const std::string& key, const std::
 
 TEST_F(PlanCommand, LimitsThatAreNoneAreStatusTwoByNameValueAndRange)
 {
-  for (const std::string key : {"max_speed", "max_acceleration", "max_steering_rate", "wheel_max_rate", "wheel_max_speed"})
+  for (const std::string key :
+       {"max_speed", "max_acceleration", "max_steering_rate", "wheel_max_rate", "wheel_max_speed"})
     for (const std::string value : {"0", "-1", ".inf", ".nan"})
     {
       std::ofstream(path("robot.yaml")) << changed("robot.yaml", key, value);

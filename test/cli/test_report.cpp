@@ -76,10 +76,9 @@ TEST(Json, WithoutTrajectoryHasAnEmptyListOfPoints)
 
 TEST(Json, EveryStatusHasItsName)
 {
-  const std::vector<std::string> names = {"succeeded",        "start_in_collision", "goal_in_collision",
-                                          "goal_unreachable", "no_path",            "timeout",
-                                          "not_converged",    "verification_failed", "cancelled",
-                                          "invalid_input"};
+  const std::vector<std::string> names = {
+      "succeeded", "start_in_collision", "goal_in_collision",   "goal_unreachable", "no_path",
+      "timeout",   "not_converged",      "verification_failed", "cancelled",        "invalid_input"};
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     PlanResult result;
@@ -94,11 +93,18 @@ TEST(Json, EachMetricGoesToItsKey)
   PlanMetrics& m = result.metrics;
   m.safe = true;
   double value = 1.5;
-  const std::vector<std::pair<const char*, double*>> numbers = {
-    {"TL", &m.length}, {"AT", &m.arrival_time}, {"AC", &m.mean_curvature}, {"MC", &m.max_curvature},
-    {"TPE", &m.terminal_position_error}, {"TYE", &m.terminal_yaw_error}, {"SMR", &m.standard_mode_rate},
-    {"CT_ms", &m.total_ms}, {"frontend_ms", &m.frontend_ms}, {"backend_ms", &m.backend_ms}, {"verify_ms", &m.verify_ms},
-    {"min_clearance_m", &m.min_clearance}};
+  const std::vector<std::pair<const char*, double*>> numbers = {{"TL", &m.length},
+                                                                {"AT", &m.arrival_time},
+                                                                {"AC", &m.mean_curvature},
+                                                                {"MC", &m.max_curvature},
+                                                                {"TPE", &m.terminal_position_error},
+                                                                {"TYE", &m.terminal_yaw_error},
+                                                                {"SMR", &m.standard_mode_rate},
+                                                                {"CT_ms", &m.total_ms},
+                                                                {"frontend_ms", &m.frontend_ms},
+                                                                {"backend_ms", &m.backend_ms},
+                                                                {"verify_ms", &m.verify_ms},
+                                                                {"min_clearance_m", &m.min_clearance}};
   for (const auto& [key, member] : numbers) *member = value++;
   m.expansions = 101;
   m.switches = 102;

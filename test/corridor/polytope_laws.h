@@ -54,7 +54,8 @@ void for_each_region(const PolytopeCorridor& corridor, const std::vector<Pose>& 
       EXPECT_EQ(corridor.regions[d].centre.x, discs.centres[d].x);
       EXPECT_EQ(corridor.regions[d].centre.y, discs.centres[d].y);
       visit(Case{corridor.regions[d].regions[i], disc_centre(knots[i], discs.centres[d]),
-                 disc_centre(knots[i + 1], discs.centres[d]), discs.radius + (shrink.empty() ? 0.0 : shrink[i]), corridor.deficit[i]});
+                 disc_centre(knots[i + 1], discs.centres[d]), discs.radius + (shrink.empty() ? 0.0 : shrink[i]),
+                 corridor.deficit[i]});
       if (testing::Test::HasFailure()) return;
     }
 }

@@ -70,12 +70,9 @@ std::array<Box, 3> gained_edges(const Box& b, std::size_t side, double step)
   const double x_low = std::min(x, x + out), x_high = std::max(x, x + out);
   const double y_low = std::min(y, y + out), y_high = std::max(y, y + out);
   if (side < 2)
-    return {{{x + out, b.y_min, x + out, b.y_max},
-             {x_low, b.y_min, x_high, b.y_min},
-             {x_low, b.y_max, x_high, b.y_max}}};
-  return {{{b.x_min, y + out, b.x_max, y + out},
-           {b.x_min, y_low, b.x_min, y_high},
-           {b.x_max, y_low, b.x_max, y_high}}};
+    return {
+        {{x + out, b.y_min, x + out, b.y_max}, {x_low, b.y_min, x_high, b.y_min}, {x_low, b.y_max, x_high, b.y_max}}};
+  return {{{b.x_min, y + out, b.x_max, y + out}, {b.x_min, y_low, b.x_min, y_high}, {b.x_max, y_low, b.x_max, y_high}}};
 }
 
 /// Drives about random maps, grids straight and turned. Few knots: brute force is slow.
@@ -317,10 +314,9 @@ TEST(BoxCorridor, OptionsOutOfRangeThrow)
     box_corridor(obstacles, kDiscs, options, {{5.0, 5.0, 0.0}, {5.2, 5.0, 0.0}});
   };
   EXPECT_NO_THROW(build({0.5, 0.5, 0.5}));
-  for (const BoxOptions& options :
-       {BoxOptions{0.5, 0.0, 5.0}, BoxOptions{0.5, -0.1, 5.0}, BoxOptions{0.5, nan, 5.0}, BoxOptions{0.04, 0.05, 5.0},
-        BoxOptions{nan, 0.05, 5.0}, BoxOptions{0.5, 0.05, 0.4}, BoxOptions{0.5, 0.05, infinity},
-        BoxOptions{0.5, 0.05, nan}})
+  for (const BoxOptions& options : {BoxOptions{0.5, 0.0, 5.0}, BoxOptions{0.5, -0.1, 5.0}, BoxOptions{0.5, nan, 5.0},
+                                    BoxOptions{0.04, 0.05, 5.0}, BoxOptions{nan, 0.05, 5.0}, BoxOptions{0.5, 0.05, 0.4},
+                                    BoxOptions{0.5, 0.05, infinity}, BoxOptions{0.5, 0.05, nan}})
     EXPECT_THROW(build(options), std::invalid_argument)
         << options.coarse_step << " " << options.fine_step << " " << options.max_expansion;
 }

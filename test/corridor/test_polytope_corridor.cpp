@@ -15,17 +15,17 @@ TEST(PolytopeCorridor, NextToAWallTheRegionReachesTheWallAndTheRange)
   const ObstacleRectangles obstacles{ObstacleMap(above_a_wall())};
   PolytopeOptions options;
   options.range = 1.5;
-  const PolytopeCorridor corridor =
-      polytope_corridor(obstacles, kDiscs, options, {{5.0, 2.0, 0.0}, {5.2, 2.0, 0.0}});
+  const PolytopeCorridor corridor = polytope_corridor(obstacles, kDiscs, options, {{5.0, 2.0, 0.0}, {5.2, 2.0, 0.0}});
   ASSERT_EQ(corridor.status, CorridorStatus::succeeded);
   const double front = 5.0 + kDiscs.centres[0].x, wall = 1.0 + kDiscs.radius;
   const std::vector<Point2> ends = corners(corridor.regions[0].regions[0], {5.0, 2.0}, 50.0);
   ASSERT_EQ(ends.size(), 4u);
   for (const Point2& expected :
        {Point2{front - 1.5, wall}, {front + 1.7, wall}, {front + 1.7, 3.5}, {front - 1.5, 3.5}})
-    EXPECT_TRUE(std::any_of(ends.begin(), ends.end(), [&](const Point2& end) {
-      return std::hypot(end.x - expected.x, end.y - expected.y) < 1e-9;
-    })) << expected.x << " " << expected.y;
+    EXPECT_TRUE(
+        std::any_of(ends.begin(), ends.end(),
+                    [&](const Point2& end) { return std::hypot(end.x - expected.x, end.y - expected.y) < 1e-9; }))
+        << expected.x << " " << expected.y;
 }
 
 TEST(PolytopeCorridor, AChordThatComesTooCloseIsHeldAndTheDeficitReported)
@@ -89,8 +89,8 @@ TEST(PolytopeCorridor, AChordThroughAnObstacleIsReportedThoughItsEndsAreFree)
 {
   OccupancyGrid grid = free_area(10.0, 10.0, 0.05);
   occupy_block(grid, 100, 100, 1, 1);
-  const PolytopeCorridor corridor = polytope_corridor(ObstacleRectangles(ObstacleMap(grid)), kDiscs, {},
-                                                      {{4.0, 5.02, 0.0}, {6.0, 5.02, 0.0}});
+  const PolytopeCorridor corridor =
+      polytope_corridor(ObstacleRectangles(ObstacleMap(grid)), kDiscs, {}, {{4.0, 5.02, 0.0}, {6.0, 5.02, 0.0}});
   EXPECT_EQ(corridor.status, CorridorStatus::in_collision);
 }
 

@@ -24,8 +24,7 @@ public:
   TemporaryDirectory()
   {
     std::string name = (std::filesystem::temp_directory_path() / "fourwis_XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw std::runtime_error("no temporary directory");
+    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
     path_ = name;
   }
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
@@ -67,8 +66,9 @@ inline std::string png_bytes(int width, std::vector<std::vector<std::uint8_t>> r
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
-  const auto append = [](png_structp p, png_bytep data, std::size_t size)
-  { static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char*>(data), size); };
+  const auto append = [](png_structp p, png_bytep data, std::size_t size) {
+    static_cast<std::string*>(png_get_io_ptr(p))->append(reinterpret_cast<char*>(data), size);
+  };
   png_set_write_fn(png, &bytes, append, nullptr);
   png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(rows.size()), kind.depth,
                kind.colour_type, kind.is_interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,
@@ -84,8 +84,7 @@ inline std::string png_bytes(int width, std::vector<std::vector<std::uint8_t>> r
     png_set_tRNS(png, info, alpha.data(), static_cast<int>(alpha.size()), nullptr);
   }
   std::vector<png_bytep> pointers;
-  for (auto& row : rows)
-    pointers.push_back(row.data());
+  for (auto& row : rows) pointers.push_back(row.data());
   png_set_rows(png, info, pointers.data());
   png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
   png_destroy_write_struct(&png, &info);
@@ -101,8 +100,7 @@ inline std::string mutated(std::string bytes, std::mt19937& random)
     char& byte = bytes[below(bytes.size())];
     byte = static_cast<char>(below(2) == 0 ? byte ^ (1 << below(8)) : static_cast<int>(below(256)));
   }
-  if (below(3) == 0)
-    bytes.resize(below(bytes.size()));
+  if (below(3) == 0) bytes.resize(below(bytes.size()));
   return bytes;
 }
 

@@ -13,14 +13,12 @@ class MapFixture : public testing::Test
 protected:
   std::string write_yaml(const std::map<std::string, std::string>& changes = {}) const
   {
-    std::map<std::string, std::string> fields{
-      {"image", "map.pgm"}, {"resolution", "0.05"},      {"origin", "[-1, 2.5, 0.3]"},
-      {"negate", "0"},      {"occupied_thresh", "0.65"}, {"free_thresh", "0.196"}};
-    for (const auto& change : changes)
-      fields[change.first] = change.second;
+    std::map<std::string, std::string> fields{{"image", "map.pgm"},         {"resolution", "0.05"},
+                                              {"origin", "[-1, 2.5, 0.3]"}, {"negate", "0"},
+                                              {"occupied_thresh", "0.65"},  {"free_thresh", "0.196"}};
+    for (const auto& change : changes) fields[change.first] = change.second;
     std::string text;
-    for (const auto& field : fields)
-      text += field.second.empty() ? "" : field.first + ": " + field.second + "\n";
+    for (const auto& field : fields) text += field.second.empty() ? "" : field.first + ": " + field.second + "\n";
     write_bytes(folder_ / "map.yaml", text);
     return folder_ / "map.yaml";
   }

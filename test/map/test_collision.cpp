@@ -181,8 +181,8 @@ TEST_P(FreeLength, KeepsTheLeastClearanceBetweenTheChecksAndNotMuchMore)
 TEST_P(FreeLength, EndsAtAFreePose)
 {
   for_pieces([](const Site& site, const PathPiece& piece, double free) {
-    ASSERT_TRUE(site.checker.is_free(advance(site.robot, piece.start, piece.mode, piece.phi,
-                                             std::copysign(free, piece.length))));
+    ASSERT_TRUE(site.checker.is_free(
+        advance(site.robot, piece.start, piece.mode, piece.phi, std::copysign(free, piece.length))));
   });
 }
 

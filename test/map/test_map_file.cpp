@@ -17,13 +17,10 @@ using MapFile = MapFixture;
 int value_by_formula(int grey, bool negate, const std::string& mode)
 {
   const int level = negate ? 255 - grey : grey;
-  if (mode == "raw")
-    return level < 128 ? level : level - 256;
+  if (mode == "raw") return level < 128 ? level : level - 256;
   const double p = (255 - level) / 255.0;
-  if (p > 0.65)
-    return 100;
-  if (p < 0.196)
-    return 0;
+  if (p > 0.65) return 100;
+  if (p < 0.196) return 0;
   return mode == "scale" ? static_cast<int>(std::floor(1 + 98 * (p - 0.196) / (0.65 - 0.196))) : -1;
 }
 
@@ -47,8 +44,7 @@ TEST_F(MapFile, TakesResolutionAndOriginWithYawFromTheYaml)
 TEST_F(MapFile, GivesEveryGreyLevelMapServersValueInEveryMode)
 {
   std::string all;
-  for (int grey = 0; grey < 256; ++grey)
-    all += static_cast<char>(grey);
+  for (int grey = 0; grey < 256; ++grey) all += static_cast<char>(grey);
   for (const std::string mode : {"trinary", "scale", "raw"})
   {
     for (const bool negate : {false, true})
@@ -62,10 +58,8 @@ TEST_F(MapFile, GivesEveryGreyLevelMapServersValueInEveryMode)
 
 TEST_F(MapFile, AcceptsNumbersAndWordsForNegate)
 {
-  for (const char* yes : {"1", "true"})
-    EXPECT_EQ(read_image_bytes(small_pgm, {{"negate", yes}}).at(2, 0), 0) << yes;
-  for (const char* no : {"0", "false"})
-    EXPECT_EQ(read_image_bytes(small_pgm, {{"negate", no}}).at(2, 0), 100) << no;
+  for (const char* yes : {"1", "true"}) EXPECT_EQ(read_image_bytes(small_pgm, {{"negate", yes}}).at(2, 0), 0) << yes;
+  for (const char* no : {"0", "false"}) EXPECT_EQ(read_image_bytes(small_pgm, {{"negate", no}}).at(2, 0), 100) << no;
 }
 
 TEST_F(MapFile, FindsAnImageByItsAbsolutePath)
@@ -77,8 +71,8 @@ TEST_F(MapFile, AcceptsEqualThresholdsInEveryMode)
 {
   for (const char* mode : {"trinary", "scale"})
   {
-    const OccupancyGrid grid = read_image_bytes(
-      pgm(3, 1, "\x33\xcc\xff"), {{"occupied_thresh", "0.2"}, {"free_thresh", "0.2"}, {"mode", mode}});
+    const OccupancyGrid grid = read_image_bytes(pgm(3, 1, "\x33\xcc\xff"),
+                                                {{"occupied_thresh", "0.2"}, {"free_thresh", "0.2"}, {"mode", mode}});
     EXPECT_EQ(grid.data, (std::vector<std::int8_t>{100, -1, 0})) << mode;
   }
 }
@@ -87,13 +81,13 @@ TEST_F(MapFile, RefusesADefectiveFieldByItsName)
 {
   write_bytes(folder_ / "map.pgm", small_pgm);
   const std::vector<std::pair<std::string, std::vector<std::string>>> defects{
-    {"image", {"", "[a]", "\"\"", "absent.pgm", ".", "map.yaml"}},
-    {"resolution", {"", "wide", "0", "-0.05", ".inf", ".nan", "[0.05]", "~", "0.05m", "1e999"}},
-    {"origin", {"", "0", "[0, 0]", "[0, 0, 0, 0]", "[0, x, 0]", "[0, .nan, 0]", "{x: 0, y: 0, yaw: 0}"}},
-    {"negate", {"", "2", "-1", "maybe", "[0]"}},
-    {"occupied_thresh", {"", "high", "1.01", "-0.1", ".nan", "0.1"}},
-    {"free_thresh", {"", "low", "-0.01", "1.5"}},
-    {"mode", {"Trinary", "ternary", "~", "[raw]", "\"\""}}};
+      {"image", {"", "[a]", "\"\"", "absent.pgm", ".", "map.yaml"}},
+      {"resolution", {"", "wide", "0", "-0.05", ".inf", ".nan", "[0.05]", "~", "0.05m", "1e999"}},
+      {"origin", {"", "0", "[0, 0]", "[0, 0, 0, 0]", "[0, x, 0]", "[0, .nan, 0]", "{x: 0, y: 0, yaw: 0}"}},
+      {"negate", {"", "2", "-1", "maybe", "[0]"}},
+      {"occupied_thresh", {"", "high", "1.01", "-0.1", ".nan", "0.1"}},
+      {"free_thresh", {"", "low", "-0.01", "1.5"}},
+      {"mode", {"Trinary", "ternary", "~", "[raw]", "\"\""}}};
   for (const auto& [field, values] : defects)
   {
     for (const std::string& value : values)
@@ -137,8 +131,7 @@ TEST_F(MapFile, ReadsBackWhatItWrote)
     SCOPED_TRACE("seed 2, grid " + std::to_string(i));
     OccupancyGrid grid{size(random), size(random), std::exp(real(random)), {}, {}};
     grid.origin = {real(random), real(random), real(random)};
-    for (int k = 0; k < grid.width * grid.height; ++k)
-      grid.data.push_back(static_cast<std::int8_t>(cell(random)));
+    for (int k = 0; k < grid.width * grid.height; ++k) grid.data.push_back(static_cast<std::int8_t>(cell(random)));
     write_map_file(grid, folder_ / "a \"map\": #1");
     const OccupancyGrid back = read_map_file(folder_ / "a \"map\": #1.yaml");
     ASSERT_EQ(back.width, grid.width);

@@ -24,8 +24,7 @@ Rows converted(const Convert& convert)
   for (const auto& row : greys)
   {
     rows.emplace_back();
-    for (const std::uint8_t grey : row)
-      convert(grey, rows.back());
+    for (const std::uint8_t grey : row) convert(grey, rows.back());
   }
   return rows;
 }
@@ -59,16 +58,15 @@ TEST_F(MapImage, ReadsEveryKindOfPngAlike)
     });
   };
   const Rows indices = converted([](std::uint8_t grey, auto& row) { row.push_back(grey / 5); });
-  const std::vector<std::pair<PngKind, Rows>> kinds{
-    {{PNG_COLOR_TYPE_GRAY, 8}, greys},
-    {{PNG_COLOR_TYPE_GRAY, 8, true}, greys},
-    {{PNG_COLOR_TYPE_GRAY, 16}, repeat(2)},
-    {{PNG_COLOR_TYPE_GRAY_ALPHA, 8}, with_alpha(1)},
-    {{PNG_COLOR_TYPE_RGB, 8}, repeat(3)},
-    {{PNG_COLOR_TYPE_RGB, 16}, repeat(6)},
-    {{PNG_COLOR_TYPE_RGB_ALPHA, 8}, with_alpha(3)},
-    {{PNG_COLOR_TYPE_RGB_ALPHA, 8, true}, with_alpha(3)},
-    {{PNG_COLOR_TYPE_PALETTE, 8}, indices}};
+  const std::vector<std::pair<PngKind, Rows>> kinds{{{PNG_COLOR_TYPE_GRAY, 8}, greys},
+                                                    {{PNG_COLOR_TYPE_GRAY, 8, true}, greys},
+                                                    {{PNG_COLOR_TYPE_GRAY, 16}, repeat(2)},
+                                                    {{PNG_COLOR_TYPE_GRAY_ALPHA, 8}, with_alpha(1)},
+                                                    {{PNG_COLOR_TYPE_RGB, 8}, repeat(3)},
+                                                    {{PNG_COLOR_TYPE_RGB, 16}, repeat(6)},
+                                                    {{PNG_COLOR_TYPE_RGB_ALPHA, 8}, with_alpha(3)},
+                                                    {{PNG_COLOR_TYPE_RGB_ALPHA, 8, true}, with_alpha(3)},
+                                                    {{PNG_COLOR_TYPE_PALETTE, 8}, indices}};
   for (const auto& [kind, rows] : kinds)
     EXPECT_EQ(read_image_bytes(png_bytes(4, rows, kind)).data, grey_cells) << kind.colour_type << " " << kind.depth;
   const Rows bits{{0xa0}};
@@ -89,10 +87,10 @@ TEST_F(MapImage, AveragesTheColoursAndTakesTransparentPixelsForUnknown)
 
 TEST_F(MapImage, RefusesADefectiveImage)
 {
-  for (const char* bytes : {"", "P", "P2", "P5", "P6 1 1 255\nabc", "GIF89a", "P5 0 1 255\n", "P5 -1 1 255\n1",
-                            "P5 1 1 0\n1", "P5 1 1 65536\n11", "P5 x 1 255\n1", "P5 1 1 255", "P5 1 1 100\n\xff",
-                            "P2 1 1 255 256", "P2 2 1 255 1 x", "P2 2 1 255 11 ", "P5 99999999999999999999 1 255\n1",
-                            "\x89PNG\r\n\x1a\n"})
+  for (const char* bytes :
+       {"", "P", "P2", "P5", "P6 1 1 255\nabc", "GIF89a", "P5 0 1 255\n", "P5 -1 1 255\n1", "P5 1 1 0\n1",
+        "P5 1 1 65536\n11", "P5 x 1 255\n1", "P5 1 1 255", "P5 1 1 100\n\xff", "P2 1 1 255 256", "P2 2 1 255 1 x",
+        "P2 2 1 255 11 ", "P5 99999999999999999999 1 255\n1", "\x89PNG\r\n\x1a\n"})
     EXPECT_NE(refusal_of_image(bytes), "") << bytes;
 }
 
@@ -107,8 +105,8 @@ TEST_F(MapImage, RefusesAHeaderThatPromisesMoreThanTheFileHolds)
 TEST_F(MapImage, RefusesAnImageCutShortAnywhereAndIgnoresWhatFollowsIt)
 {
   const Rows rows{{0, 255, 205}, {255, 255, 0}};
-  for (const std::string& bytes : {small_pgm, png_bytes(3, rows, {PNG_COLOR_TYPE_GRAY, 8}),
-                                   png_bytes(3, rows, {PNG_COLOR_TYPE_GRAY, 8, true})})
+  for (const std::string& bytes :
+       {small_pgm, png_bytes(3, rows, {PNG_COLOR_TYPE_GRAY, 8}), png_bytes(3, rows, {PNG_COLOR_TYPE_GRAY, 8, true})})
   {
     for (std::size_t size = 0; size < bytes.size(); ++size)
       EXPECT_NE(refusal_of_image(bytes.substr(0, size)), "") << size << " of " << bytes.size();
@@ -120,11 +118,11 @@ TEST_F(MapImage, SurvivesRandomDamage)
 {
   const std::string yaml = read_bytes(write_yaml({{"mode", "scale"}}));
   const std::vector<std::pair<std::string, std::string>> originals{
-    {"map.yaml", yaml},
-    {"map.pgm", small_pgm},
-    {"map.pgm", "P2\n# plain\n3 2\n255\n0 254 205\n254 254 0\n"},
-    {"map.pgm", png_bytes(4, greys, {PNG_COLOR_TYPE_GRAY, 8})},
-    {"map.pgm", png_bytes(3, {{0, 7, 51}}, {PNG_COLOR_TYPE_PALETTE, 8, true})}};
+      {"map.yaml", yaml},
+      {"map.pgm", small_pgm},
+      {"map.pgm", "P2\n# plain\n3 2\n255\n0 254 205\n254 254 0\n"},
+      {"map.pgm", png_bytes(4, greys, {PNG_COLOR_TYPE_GRAY, 8})},
+      {"map.pgm", png_bytes(3, {{0, 7, 51}}, {PNG_COLOR_TYPE_PALETTE, 8, true})}};
   for (const auto& [name, original] : originals)
   {
     std::mt19937 random(1);

@@ -49,8 +49,8 @@ struct RandomGrids : testing::Test
     {
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", grid " + std::to_string(k));
       const Pose origin = k % 3 == 0 ? Pose{} : random.pose(20.0);
-      const OccupancyGrid grid = scattered(random, random.whole(1, 40), random.whole(1, 40), resolutions[k % 5], origin,
-                                           densities[k % 6]);
+      const OccupancyGrid grid =
+          scattered(random, random.whole(1, 40), random.whole(1, 40), resolutions[k % 5], origin, densities[k % 6]);
       visit(grid, ObstacleMap(grid));
       if (HasFatalFailure()) return;
     }

@@ -32,8 +32,7 @@ void fill(Tree& tree, const std::array<int, 3>& corner, const std::array<int, 3>
   {
     for (int y = corner[1]; y < corner[1] + size[1]; ++y)
     {
-      for (int z = corner[2]; z < corner[2] + size[2]; ++z)
-        tree.setNodeValue(key(x, y, z), is_occupied ? 2.0F : -1.0F);
+      for (int z = corner[2]; z < corner[2] + size[2]; ++z) tree.setNodeValue(key(x, y, z), is_occupied ? 2.0F : -1.0F);
     }
   }
 }
@@ -63,8 +62,7 @@ int column_value(const Tree& tree, int x, int y, double lower, double upper)
   for (int z = -reach - 1; z <= reach; ++z)
   {
     const auto* node = z + 1 > lower && z < upper ? tree.search(key(x, y, z)) : nullptr;
-    if (node)
-      value = std::max(value, tree.isNodeOccupied(node) ? 100 : 0);
+    if (node) value = std::max(value, tree.isNodeOccupied(node) ? 100 : 0);
   }
   return value;
 }
@@ -72,8 +70,7 @@ int column_value(const Tree& tree, int x, int y, double lower, double upper)
 /// The grid's value at a voxel column, unknown outside.
 int grid_value(const OccupancyGrid& grid, int x, int y)
 {
-  if (grid.data.empty())
-    return -1;
+  if (grid.data.empty()) return -1;
   const int column = x - static_cast<int>(std::lround(grid.origin.x / grid.resolution));
   const int row = y - static_cast<int>(std::lround(grid.origin.y / grid.resolution));
   const bool is_inside = column >= 0 && row >= 0 && column < grid.width && row < grid.height;
@@ -85,8 +82,9 @@ void expect_projection(const Tree& tree, const std::string& path, double lower, 
 {
   const double resolution = tree.getResolution();
   OccupancyGrid grid;
-  const std::string refusal =
-    message_of([&] { grid = project_octomap_file(path, {lower * resolution, upper * resolution}); });
+  const std::string refusal = message_of([&] {
+    grid = project_octomap_file(path, {lower * resolution, upper * resolution});
+  });
   ASSERT_EQ(grid.data.size(), static_cast<std::size_t>(grid.width * grid.height));
   EXPECT_EQ(grid.origin.theta, 0.0);
   int wrong = 0, known = 0;
@@ -210,8 +208,8 @@ TEST_F(OctomapProjection, RejectsABandThatIsNone)
 {
   octomap::OcTree tree(0.1);
   const std::string path = write(tree);
-  for (const HeightBand& band : {HeightBand{1.0, 1.0}, HeightBand{1.0, 0.0}, HeightBand{std::nan(""), 1.0},
-                                 HeightBand{0.0, INFINITY}})
+  for (const HeightBand& band :
+       {HeightBand{1.0, 1.0}, HeightBand{1.0, 0.0}, HeightBand{std::nan(""), 1.0}, HeightBand{0.0, INFINITY}})
     EXPECT_THROW(project_octomap_file(path, band), std::invalid_argument);
 }
 
@@ -219,23 +217,23 @@ TEST_F(OctomapProjection, RefusesWhatIsNotAnOctomapByField)
 {
   const std::string start = "# Octomap OcTree binary file\n";
   const std::vector<std::pair<std::string, std::string>> defects{
-    {"", "format"},
-    {"P5 1 1 255\n1", "format"},
-    {start, "data"},
-    {start + "id OcTree\nsize 1\nres 0.1\n", "data"},
-    {start + "id OcTree\nsize 1\nres 0.1\ndata", "data"},
-    {start + "id OcTree\nsize 1\nres -0.1\ndata\n  ", "res"},
-    {start + "id OcTree\nsize 1\nres nan\ndata\n  ", "res"},
-    {start + "id OcTree\nsize 1\ndata\n  ", "res"},
-    {start + "size 1\nres 0.1\ndata\n  ", "id"},
-    {start + "id Quadtree\nsize 1\nres 0.1\ndata\n  ", "id"},
-    {start + "id OcTree\nres 0.1\ndata\n  ", "size"},
-    {start + "id OcTree\nsize many\nres 0.1\ndata\n  ", "size"},
-    {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string("\x01\x00", 2), "size"},
-    {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\xff'), "data"},
-    {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\0'), "data"},
-    {"# Octomap OcTree file\nid OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\x3f'), "data"},
-    {start + "id OcTree\nsize 9\nres 0.1\ndata\n\x55\x55", "data"}};  // eight voxels, each an eighth of everything
+      {"", "format"},
+      {"P5 1 1 255\n1", "format"},
+      {start, "data"},
+      {start + "id OcTree\nsize 1\nres 0.1\n", "data"},
+      {start + "id OcTree\nsize 1\nres 0.1\ndata", "data"},
+      {start + "id OcTree\nsize 1\nres -0.1\ndata\n  ", "res"},
+      {start + "id OcTree\nsize 1\nres nan\ndata\n  ", "res"},
+      {start + "id OcTree\nsize 1\ndata\n  ", "res"},
+      {start + "size 1\nres 0.1\ndata\n  ", "id"},
+      {start + "id Quadtree\nsize 1\nres 0.1\ndata\n  ", "id"},
+      {start + "id OcTree\nres 0.1\ndata\n  ", "size"},
+      {start + "id OcTree\nsize many\nres 0.1\ndata\n  ", "size"},
+      {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string("\x01\x00", 2), "size"},
+      {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\xff'), "data"},
+      {start + "id OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\0'), "data"},
+      {"# Octomap OcTree file\nid OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\x3f'), "data"},
+      {start + "id OcTree\nsize 9\nres 0.1\ndata\n\x55\x55", "data"}};  // eight voxels, each an eighth of everything
   for (const auto& [bytes, field] : defects)
     EXPECT_EQ(refusal_of(bytes).rfind(folder_ / "map.bt" + ": " + field + ": ", 0), 0U) << refusal_of(bytes);
   EXPECT_NE(message_of([&] { project_octomap_file(folder_ / "absent.bt", {}); }), "");

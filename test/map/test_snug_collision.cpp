@@ -37,7 +37,8 @@ void for_poses(double margin, Visit visit)
     const Site site(clutter(random, 6.0, resolution, 14, random.pose(10.0)), robot);
     const CollisionChecker snug(site.map, site.robot, std::vector<Pose>());
     for (int k = 0; k < 2000; ++k)
-      visit(site, snug, compose(site.grid.origin, {random.between(0.0, 6.0), random.between(0.0, 6.0), random.angle()}));
+      visit(site, snug,
+            compose(site.grid.origin, {random.between(0.0, 6.0), random.between(0.0, 6.0), random.angle()}));
     if (testing::Test::HasFatalFailure()) return;
   }
 }
@@ -48,8 +49,7 @@ TEST(SnugCover, SticksOutByCentimetres)
 }
 
 struct SnugCollision : testing::TestWithParam<double>
-{
-};
+{};
 
 TEST_P(SnugCollision, LetsNoBodyTouchAnObstacle)
 {

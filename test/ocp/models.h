@@ -20,7 +20,7 @@ struct Shuttle : ModelBase<2, 2>
   {
     const double a = u[0], h = u[1];
     d.jacobian << 1, h, 0.5 * h * h, x[1] + a * h,  //
-      0, 1, h, a;
+        0, 1, h, a;
     d.gradient[3] = 1;
     d.hessian(1, 3) = d.hessian(3, 1) = lambda[0];
     d.hessian(2, 3) = d.hessian(3, 2) = lambda[0] * h + lambda[1];
@@ -74,9 +74,9 @@ struct Car : ModelBase<4, 3, 3>
   {
     const double v = x[3], a = u[0], kappa = u[1], h = u[2], c = std::cos(x[2]), s = std::sin(x[2]);
     d.jacobian << 1, 0, -h * v * s, h * c, 0, 0, v * c,  //
-      0, 1, h * v * c, h * s, 0, 0, v * s,               //
-      0, 0, 1, h * kappa, 0, h * v, v * kappa,           //
-      0, 0, 0, 1, h, 0, a;
+        0, 1, h * v * c, h * s, 0, 0, v * s,             //
+        0, 0, 1, h * kappa, 0, h * v, v * kappa,         //
+        0, 0, 0, 1, h, 0, a;
     d.gradient[5] = h * kappa;
     d.gradient[6] = 1 + 0.5 * kappa * kappa;
     const double along = lambda[0] * c + lambda[1] * s, across = lambda[1] * c - lambda[0] * s;
@@ -131,8 +131,7 @@ struct Car : ModelBase<4, 3, 3>
   static Trajectory<4, 3> guess(int intervals)
   {
     Trajectory<4, 3> guess;
-    for (int k = 0; k <= intervals; ++k)
-      guess.states.push_back({3.0 * k / intervals, 1.0 * k / intervals, 0.3, 0.8});
+    for (int k = 0; k <= intervals; ++k) guess.states.push_back({3.0 * k / intervals, 1.0 * k / intervals, 0.3, 0.8});
     guess.controls.assign(intervals, {0.0, 0.0, 4.0 / intervals});
     return guess;
   }

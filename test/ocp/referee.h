@@ -16,9 +16,12 @@ public:
   static constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint, NZ = NX + NU;
 
   Referee(const Model& model, const Problem<NX, NU>& problem, const Solution<NX, NU>& solution, double tolerance)
-    : model_(model), problem_(problem), x_(solution.trajectory), y_(solution.multipliers), tolerance_(tolerance)
-  {
-  }
+    : model_(model),
+      problem_(problem),
+      x_(solution.trajectory),
+      y_(solution.multipliers),
+      tolerance_(tolerance)
+  {}
 
   void expect_optimal() const
   {
@@ -147,26 +150,22 @@ void expect_derivatives(const Model& model, int k, const Vector<Model::kStates +
 {
   constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint, NZ = NX + NU;
   using Wide = Eigen::Matrix<double, NQ, Eigen::Dynamic>;
-  const auto value = [&](const Vector<NZ>& at)
-  {
+  const auto value = [&](const Vector<NZ>& at) {
     typename Model::Value result;
     model.evaluate(k, at.template head<NX>(), at.template tail<NU>(), Vector<NX>::Zero(), result);
     return result;
   };
-  const auto derivative = [&](const Vector<NZ>& at)
-  {
+  const auto derivative = [&](const Vector<NZ>& at) {
     StageDerivatives<NX, NU> result{Matrix<NX, NZ>::Zero(), Vector<NZ>::Zero(), Matrix<NZ, NZ>::Zero()};
     model.differentiate(k, at.template head<NX>(), at.template tail<NU>(), lambda, result);
     return result;
   };
-  const auto row_values = [&](const Vector<NZ>& at)
-  {
+  const auto row_values = [&](const Vector<NZ>& at) {
     Eigen::VectorXd result(y.size());
     model.rows(k, at.template head<NQ>(), {result.data(), result.size()});
     return result;
   };
-  const auto row_derivative = [&](const Vector<NZ>& at, Matrix<NQ, NQ>& hessian)
-  {
+  const auto row_derivative = [&](const Vector<NZ>& at, Matrix<NQ, NQ>& hessian) {
     Wide result = Wide::Zero(NQ, y.size());
     hessian.setZero();
     model.differentiate_rows(k, at.template head<NQ>(), {y.data(), y.size()}, {result.data(), NQ, y.size()}, hessian);

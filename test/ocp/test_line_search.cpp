@@ -131,8 +131,7 @@ TEST(Merit, SlopeIsTheDerivativeOfTheBarrierFunctionAlongTheStep)
     RandomPoint scene(seed);
     const RandomPoint::Point step = random_step(scene);
     const double mu = 0.3, h = 1e-6;
-    const auto barrier_at = [&](double alpha)
-    {
+    const auto barrier_at = [&](double alpha) {
       RandomPoint::Point at = scene.point;
       move_primal(scene.point, step, alpha, at);
       return merit(scene.limits, at, scene.values(at)).barrier(mu);
@@ -146,10 +145,12 @@ TEST(Merit, SlopeIsTheDerivativeOfTheBarrierFunctionAlongTheStep)
 StepLengths least_ratios(const RandomPoint& scene, const RandomPoint::Point& step, const StepLengths& alpha)
 {
   StepLengths least{kInfinity, kInfinity};
-  const auto primal = [&](double value, double change)
-  { least.primal = std::min(least.primal, (value + alpha.primal * change) / value); };
-  const auto dual = [&](double value, double change)
-  { least.dual = std::min(least.dual, (value + alpha.dual * change) / value); };
+  const auto primal = [&](double value, double change) {
+    least.primal = std::min(least.primal, (value + alpha.primal * change) / value);
+  };
+  const auto dual = [&](double value, double change) {
+    least.dual = std::min(least.dual, (value + alpha.dual * change) / value);
+  };
   for (int k = 0; k <= scene.intervals; ++k)
     for (int i = 0; i < RandomPoint::NZ; ++i)
     {

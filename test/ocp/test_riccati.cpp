@@ -73,7 +73,7 @@ struct Response
 /// Hessian and gradient at du = 0 of the cost as a function of the controls alone.
 struct Condensed
 {
-  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(NU * kIntervals, NU * kIntervals);
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(NU * kIntervals, NU* kIntervals);
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(NU * kIntervals);
 
   explicit Condensed(const Stages& stages)
@@ -144,7 +144,7 @@ TEST(Riccati, FactorisesExactlyTheProblemsThatHaveAMinimum)
     const bool factorized = riccati.factorize(stages, regularization);
     for (auto& stage : stages) stage.hessian.diagonal().array() += regularization;
     const Eigen::VectorXd curvatures =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Condensed(stages).hessian).eigenvalues();
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Condensed(stages).hessian).eigenvalues();
     EXPECT_EQ(factorized, curvatures.minCoeff() > 0.0) << curvatures.minCoeff();
     convex += factorized;
   }

@@ -150,7 +150,7 @@ TEST(Solver, CarSwingsBetweenTwoWallsHardOrElastic)
     expect_optimal(car, problem, solution, 1e-6);
     EXPECT_LT(solution.statistics.elastic_violation, 1e-6);
     EXPECT_GT(*std::max_element(solution.multipliers.rows.begin(), solution.multipliers.rows.end()), 1e-3)
-      << "no wall hit";
+        << "no wall hit";
     cost[weight < kInfinity] = solution.statistics.cost;
   }
   EXPECT_NEAR(cost[0], cost[1], 1e-5);
@@ -176,13 +176,12 @@ TEST(Solver, RowsThatContradictEachOtherAreExceededByAsLittleAsPossible)
 
 TEST(Solver, ActiveBoundHasTheMultiplierThatTheCostLosesByIt)
 {
-  const auto least_time = [](double acceleration)
-  {
+  const auto least_time = [](double acceleration) {
     Options options;
     options.tolerance = 1e-9;
     Solver<Shuttle> solver;
     const auto& solution =
-      solver.solve(Shuttle(), Shuttle::problem(1.0, acceleration, 10), Shuttle::guess(1.0, 10), options);
+        solver.solve(Shuttle(), Shuttle::problem(1.0, acceleration, 10), Shuttle::guess(1.0, 10), options);
     double multipliers = 0.0;
     for (int k = 0; k < 10; ++k) multipliers += solution.multipliers.lower[k][2] + solution.multipliers.upper[k][2];
     return std::pair(solution.statistics.cost, multipliers);

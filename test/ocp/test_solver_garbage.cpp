@@ -21,27 +21,37 @@ TEST(SolverGarbage, UnspoiltProblemIsSolved)
 TEST(SolverGarbage, ProblemsThatMakeNoSenseAreInvalid)
 {
   const ShuttleScene::Change spoils[] = {
-    [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = kNan; },
-    [](ShuttleScene& s) { s.problem.bounds[3].upper[0] = kNan; },
-    [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = 3.0; },
-    [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = kInfinity, s.problem.bounds[3].upper[2] = kInfinity; },
-    [](ShuttleScene& s) { s.problem.bounds[3].upper[2] = -kInfinity, s.problem.bounds[3].lower[2] = -kInfinity; },
-    [](ShuttleScene& s) { s.problem.initial_state[0] = kNan; },
-    [](ShuttleScene& s) { s.problem.initial_state[1] = kInfinity; },
-    [](ShuttleScene& s) { s.problem.terminal_state[1] = kInfinity; },
-    [](ShuttleScene& s) { s.problem.add_row(10, {kNan, 1.0}); },
-    [](ShuttleScene& s) { s.problem.add_row(10, {kInfinity, 1.0}); },
-    [](ShuttleScene& s) { s.problem.add_row(10, {1.0, -1.0}); },
-    [](ShuttleScene& s) { s.problem.add_row(10, {1.0, 0.0}); },
-    [](ShuttleScene& s) { s.problem.add_row(10, {1.0, kNan}); },
-    [](ShuttleScene& s) { s.problem.row_counts[2] = 1; },
-    [](ShuttleScene& s) { s.problem.row_counts[2] = -1, s.problem.row_counts[3] = 1; },
-    [](ShuttleScene& s) { s.problem.row_counts.pop_back(); },
-    [](ShuttleScene& s) { s.problem.bounds.pop_back(); },
-    [](ShuttleScene& s) { s.problem.bounds.resize(1), s.problem.row_counts.resize(1); },
-    [](ShuttleScene& s) { s.problem.bounds.clear(), s.problem.row_counts.clear(); },
-    [](ShuttleScene& s) { s.guess.states.pop_back(); },
-    [](ShuttleScene& s) { s.guess.controls.clear(); },
+      [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = kNan; },
+      [](ShuttleScene& s) { s.problem.bounds[3].upper[0] = kNan; },
+      [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = 3.0; },
+      [](ShuttleScene& s) { s.problem.bounds[3].lower[2] = kInfinity, s.problem.bounds[3].upper[2] = kInfinity; },
+      [](ShuttleScene& s) { s.problem.bounds[3].upper[2] = -kInfinity, s.problem.bounds[3].lower[2] = -kInfinity; },
+      [](ShuttleScene& s) { s.problem.initial_state[0] = kNan; },
+      [](ShuttleScene& s) { s.problem.initial_state[1] = kInfinity; },
+      [](ShuttleScene& s) { s.problem.terminal_state[1] = kInfinity; },
+      [](ShuttleScene& s) {
+        s.problem.add_row(10, {kNan, 1.0});
+      },
+      [](ShuttleScene& s) {
+        s.problem.add_row(10, {kInfinity, 1.0});
+      },
+      [](ShuttleScene& s) {
+        s.problem.add_row(10, {1.0, -1.0});
+      },
+      [](ShuttleScene& s) {
+        s.problem.add_row(10, {1.0, 0.0});
+      },
+      [](ShuttleScene& s) {
+        s.problem.add_row(10, {1.0, kNan});
+      },
+      [](ShuttleScene& s) { s.problem.row_counts[2] = 1; },
+      [](ShuttleScene& s) { s.problem.row_counts[2] = -1, s.problem.row_counts[3] = 1; },
+      [](ShuttleScene& s) { s.problem.row_counts.pop_back(); },
+      [](ShuttleScene& s) { s.problem.bounds.pop_back(); },
+      [](ShuttleScene& s) { s.problem.bounds.resize(1), s.problem.row_counts.resize(1); },
+      [](ShuttleScene& s) { s.problem.bounds.clear(), s.problem.row_counts.clear(); },
+      [](ShuttleScene& s) { s.guess.states.pop_back(); },
+      [](ShuttleScene& s) { s.guess.controls.clear(); },
   };
   for (const auto& spoil : spoils)
     EXPECT_EQ(ShuttleScene::solved_after(spoil).status, Status::invalid_problem) << &spoil - spoils;
@@ -53,7 +63,7 @@ TEST(SolverGarbage, MultipliersOfAnotherProblemAreInvalid)
   Solver<Shuttle> solver;
   const auto multipliers = solver.solve(Shuttle(), scene.problem, scene.guess).multipliers;
   const auto& solution =
-    solver.solve(Shuttle(), Shuttle::problem(1.0, 2.0, 7), Shuttle::guess(1.0, 7), {}, &multipliers);
+      solver.solve(Shuttle(), Shuttle::problem(1.0, 2.0, 7), Shuttle::guess(1.0, 7), {}, &multipliers);
   EXPECT_EQ(solution.status, Status::invalid_problem);
 }
 
@@ -72,8 +82,8 @@ TEST(SolverGarbage, MultipliersThatAreNotFiniteDoNoHarm)
 TEST(SolverGarbage, GuessThatIsNotFiniteIsNotFinite)
 {
   const ShuttleScene::Change spoils[] = {
-    [](ShuttleScene& s) { s.guess.states[4][0] = kNan; },
-    [](ShuttleScene& s) { s.guess.controls[4][1] = kInfinity; },
+      [](ShuttleScene& s) { s.guess.states[4][0] = kNan; },
+      [](ShuttleScene& s) { s.guess.controls[4][1] = kInfinity; },
   };
   for (const auto& spoil : spoils) EXPECT_EQ(ShuttleScene::solved_after(spoil).status, Status::not_finite);
 }
@@ -103,7 +113,7 @@ TEST(SolverGarbage, ModelThatIsNotFiniteIsNotFinite)
 {
   for (const double bad : {kNan, kInfinity, -kInfinity})
     for (double SpoiltShuttle::*member : {&SpoiltShuttle::cost, &SpoiltShuttle::defect, &SpoiltShuttle::gradient,
-                                         &SpoiltShuttle::jacobian, &SpoiltShuttle::hessian})
+                                          &SpoiltShuttle::jacobian, &SpoiltShuttle::hessian})
     {
       SpoiltShuttle model;
       model.*member = bad;
@@ -113,8 +123,7 @@ TEST(SolverGarbage, ModelThatIsNotFiniteIsNotFinite)
 
 TEST(SolverGarbage, OptionsOutOfRangeAreRefusedByName)
 {
-  const auto refused = [](double Options::*member, double value, const std::string& name)
-  {
+  const auto refused = [](double Options::*member, double value, const std::string& name) {
     ShuttleScene scene;
     scene.options.*member = value;
     try

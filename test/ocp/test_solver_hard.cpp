@@ -35,18 +35,17 @@ TEST(SolverHard, StepsToWhereTheModelHasNoValueAreRejected)
 TEST(SolverHard, ImpossibleProblemsAreNotSolved)
 {
   const ShuttleScene::Change spoils[] = {
-    [](ShuttleScene& s) { s.problem.terminal_state[0] = 1000.0; },
-    [](ShuttleScene& s) { s.problem.bounds[5].lower[0] = 100.0; },
-    [](ShuttleScene& s)
-    {
-      for (auto& bounds : s.problem.bounds) bounds.lower[2] = bounds.upper[2] = 0.0;
-    },
+      [](ShuttleScene& s) { s.problem.terminal_state[0] = 1000.0; },
+      [](ShuttleScene& s) { s.problem.bounds[5].lower[0] = 100.0; },
+      [](ShuttleScene& s) {
+        for (auto& bounds : s.problem.bounds) bounds.lower[2] = bounds.upper[2] = 0.0;
+      },
   };
   for (const auto& spoil : spoils)
   {
     const auto solution = ShuttleScene::solved_after(spoil);
     EXPECT_TRUE(solution.status == Status::infeasible || solution.status == Status::stalled)
-      << &spoil - spoils << to_string(solution.status);
+        << &spoil - spoils << to_string(solution.status);
     EXPECT_GT(solution.statistics.infeasibility, 1e-3);
   }
 }
@@ -66,7 +65,7 @@ TEST(SolverHard, HardRowsThatContradictEachOtherAreInfeasible)
   scene.problem.add_row(5, {-0.6});
   const auto solution = scene.solve(Between());
   EXPECT_TRUE(solution.status == Status::infeasible || solution.status == Status::stalled)
-    << to_string(solution.status);
+      << to_string(solution.status);
   EXPECT_GT(solution.statistics.infeasibility, 0.05);
 }
 
@@ -81,7 +80,7 @@ struct Unbounded : ModelBase<2, 2>
   void differentiate(int, const State&, const Control&, const State&, Derivatives& d) const
   {
     d.jacobian << 1, 0, 1, 0,  //
-      0, 1, 0, 1;
+        0, 1, 0, 1;
     d.gradient << 0, 0, -1, 0;
   }
 };

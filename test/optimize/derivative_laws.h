@@ -16,7 +16,11 @@ class DerivativeCheck
 {
 public:
   DerivativeCheck(const NlpElement& element, Random& random, const Eigen::VectorXd& x)
-    : element_(element), x_(x), y_(element.row_lower.size()), s_(random.between(-2.0, 2.0)), at_x_(derivatives(x))
+    : element_(element),
+      x_(x),
+      y_(element.row_lower.size()),
+      s_(random.between(-2.0, 2.0)),
+      at_x_(derivatives(x))
   {
     for (double& value : y_) value = random.between(-1.0, 1.0);
     at_x_ = derivatives(x);
@@ -77,7 +81,8 @@ private:
   {
     if (is.size() == 0) return;
     EXPECT_LE((is - difference).cwiseAbs().maxCoeff(), tolerance * std::max(1.0, all.cwiseAbs().maxCoeff()))
-        << is.transpose() << "\ndifferences\n" << difference.transpose();
+        << is.transpose() << "\ndifferences\n"
+        << difference.transpose();
   }
 
   static void expect_zero_outside(const Eigen::MatrixXd& matrix, const NlpElement::Pattern& pattern)

@@ -215,7 +215,9 @@ TEST(PaperOptions, OutOfRangeAreRefusedByName)
   expect_refused("penalty", [](PaperOptions& o) { o.penalty = kNaN; });
   expect_refused("tolerance", [](PaperOptions& o) { o.tolerance = 0.0; });
   expect_refused("max_iterations", [](PaperOptions& o) { o.max_iterations = -1; });
-  for (double speed : {0.0, kNaN, kInfinity}) expect_refused("reference_speed", [](PaperOptions&) {}, speed);
+  for (double speed : {0.0, kNaN, kInfinity})
+    expect_refused(
+        "reference_speed", [](PaperOptions&) {}, speed);
 }
 
 TEST(PaperInfeasibility, IsTheSumOfBothDefects)

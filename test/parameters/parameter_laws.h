@@ -69,8 +69,7 @@ Subject<Options> subject_of();
 /// What every configuration file promises.
 template <class Options>
 class ParameterLaws : public testing::Test
-{
-};
+{};
 TYPED_TEST_SUITE_P(ParameterLaws);
 
 TYPED_TEST_P(ParameterLaws, ShippedFileHoldsEveryKeyAndEqualsTheDefaults)
@@ -171,10 +170,8 @@ TYPED_TEST_P(ParameterLaws, WrongTypeIsRefusedByNameAndValue)
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ParameterLaws, ShippedFileHoldsEveryKeyAndEqualsTheDefaults,
-                            EachKeySetsItsOwnMemberAndNoOther,
-                            EachMissingKeyIsRefusedByName,
+                            EachKeySetsItsOwnMemberAndNoOther, EachMissingKeyIsRefusedByName,
                             UnknownKeyIsRefusedByNameAndTheKnownOnesAreListed,
-                            NumberOutsideTheRangeIsRefusedByNameValueAndRange,
-                            WrongTypeIsRefusedByNameAndValue);
+                            NumberOutsideTheRangeIsRefusedByNameValueAndRange, WrongTypeIsRefusedByNameAndValue);
 
 }  // namespace fourwis

@@ -98,8 +98,7 @@ TEST(BridgeParameters, AWordThatIsNoneOfTheFewIsRefusedAndTheFewAreNamed)
 
 TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
 {
-  const auto refused = [](auto change)
-  {
+  const auto refused = [](auto change) {
     BridgeOptions options;
     change(options);
     EXPECT_THROW(can::Bridge(Robot(), options), std::invalid_argument);

@@ -60,16 +60,16 @@ TEST_F(ParameterFile, ValuesHaveTheTypeOfTheirYaml)
 TEST_F(ParameterFile, UnusableFilesAreRefusedByNameAndLine)
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
-    {"", "holds no parameters"},
-    {"just a sentence", "holds no parameters"},
-    {"- 1\n- 2\n", "holds no parameters"},
-    {"a: 1\nb: [1, 2]\n", ":2: parameter 'b' has no single value"},
-    {"a: 1\nb:\n", ":2: parameter 'b' has no single value"},
-    {"a: 1\nb: 2\na: 3\n", ":3: parameter 'a' appears twice"},
-    {"a: 1\nb: {c: [}\n", ":2: not YAML"},
-    {"a: 1\n\tb: 2\n", ":2: not YAML"},
-    {"? [1, 2]\n: 3\n", ":1: a key must be a plain word"},
-    {"{a: {b: {c: {d: {e: {f: {g: {h: {i: 1}}}}}}}}}\n", ":1: maps nested deeper than 8"},
+      {"", "holds no parameters"},
+      {"just a sentence", "holds no parameters"},
+      {"- 1\n- 2\n", "holds no parameters"},
+      {"a: 1\nb: [1, 2]\n", ":2: parameter 'b' has no single value"},
+      {"a: 1\nb:\n", ":2: parameter 'b' has no single value"},
+      {"a: 1\nb: 2\na: 3\n", ":3: parameter 'a' appears twice"},
+      {"a: 1\nb: {c: [}\n", ":2: not YAML"},
+      {"a: 1\n\tb: 2\n", ":2: not YAML"},
+      {"? [1, 2]\n: 3\n", ":1: a key must be a plain word"},
+      {"{a: {b: {c: {d: {e: {f: {g: {h: {i: 1}}}}}}}}}\n", ":1: maps nested deeper than 8"},
   };
   for (const auto& [text, expected] : cases)
   {
@@ -99,8 +99,8 @@ TEST_F(ParameterFile, MissingFileAndDirectoryAreRefusedByName)
 TEST_F(ParameterFile, RefusedContentsNameTheFile)
 {
   const std::string path = write("length: 1.0\n");
-  for (const auto& read : std::vector<std::function<void()>>{[&] { read_robot_file(path); },
-                                                              [&] { read_planner_file(path); }})
+  for (const auto& read :
+       std::vector<std::function<void()>>{[&] { read_robot_file(path); }, [&] { read_planner_file(path); }})
   {
     try
     {

@@ -94,7 +94,7 @@ inline std::vector<Quad> obstacles(const OccupancyGrid& grid, const ObstacleRule
 
 /// Least signed distance of the body to all obstacle cells of the grid and to its outside.
 inline double brute_clearance(const OccupancyGrid& grid, const std::vector<Quad>& cells, const Pose& pose,
-                       const Robot& robot = {})
+                              const Robot& robot = {})
 {
   const Quad quad = body(pose, robot);
   double least = INFINITY;

@@ -30,7 +30,10 @@ bool same(const Trajectory& a, const Trajectory& b)
 struct Scene
 {
   Scene(unsigned seed, double resolution, const Robot& robot)
-    : random(seed), grid(clutter(random, 9.0, resolution, 10, random.pose(5.0))), map(grid), checker(map, robot),
+    : random(seed),
+      grid(clutter(random, 9.0, resolution, 10, random.pose(5.0))),
+      map(grid),
+      checker(map, robot),
       obstacles(map)
   {
     request.start = free_pose(random, checker);
@@ -108,8 +111,8 @@ TEST_F(BackEnd, PolishingArrivesEarlierOrChangesNothing)
     EXPECT_TRUE(is_earlier || same(after.trajectory, before.trajectory));
     ++scenes;
     earlier += is_earlier;
-    const Verdict verdict = Referee(scene.grid, ObstacleRule(), robot)
-                                .judge(scene.request.start, scene.request.goal, after.trajectory);
+    const Verdict verdict =
+        Referee(scene.grid, ObstacleRule(), robot).judge(scene.request.start, scene.request.goal, after.trajectory);
     EXPECT_TRUE(verdict.accepted()) << verdict.violations.front().what;
   });
   EXPECT_GT(earlier, scenes / 4) << "of " << scenes;
@@ -117,9 +120,7 @@ TEST_F(BackEnd, PolishingArrivesEarlierOrChangesNothing)
 
 TEST_F(BackEnd, GivesTheSameAnswerEachTime)
 {
-  for_scenes(20, [&](const Scene& scene) {
-    EXPECT_TRUE(same(refine(scene).trajectory, refine(scene).trajectory));
-  });
+  for_scenes(20, [&](const Scene& scene) { EXPECT_TRUE(same(refine(scene).trajectory, refine(scene).trajectory)); });
 }
 
 TEST_F(BackEnd, AnswersNothingWhenCancelled)

@@ -89,7 +89,8 @@ TEST_F(BackEndGarbage, WaypointsInAnObstacleOrOffTheMapAreLeftToTheReferee)
   {
     const Refinement refinement = refine(path);
     EXPECT_EQ(refinement.fallbacks, 1);
-    EXPECT_NE(refinement.message.find("meets an obstacle or the map's border"), std::string::npos) << refinement.message;
+    EXPECT_NE(refinement.message.find("meets an obstacle or the map's border"), std::string::npos)
+        << refinement.message;
     EXPECT_FALSE(judge(path).accepted());
   }
 }

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/random.h"
 #include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
-#include "../support/random.h"
 
 namespace fourwis
 {

@@ -81,8 +81,8 @@ TEST_F(PlannerTest, SucceedsWithTrajectoriesThatAnyRefereeAccepts)
       return;
     }
     ++succeeded;
-    const Verdict verdict = Referee(world.grid, options.obstacles, robot).judge(request.start, request.goal,
-                                                                                result.trajectory);
+    const Verdict verdict =
+        Referee(world.grid, options.obstacles, robot).judge(request.start, request.goal, result.trajectory);
     ASSERT_TRUE(verdict.accepted()) << verdict.violations.front().what;
   });
   EXPECT_GT(succeeded, 35);
@@ -168,8 +168,8 @@ TEST_F(PlannerTest, RefusesToPlanInNoMode)
 
 TEST_F(PlannerTest, RefusesStartsAndGoalsOffTheMap)
 {
-  for (const Pose& off : {Pose{-5.0, 3.0, 0.0}, Pose{2.0, 6.5, 0.0}, Pose{1e9, 1e9, 0.0}, Pose{1e300, -1e300, 0.0},
-                          Pose{0.1, 3.0, 0.0}})
+  for (const Pose& off :
+       {Pose{-5.0, 3.0, 0.0}, Pose{2.0, 6.5, 0.0}, Pose{1e9, 1e9, 0.0}, Pose{1e300, -1e300, 0.0}, Pose{0.1, 3.0, 0.0}})
   {
     expect_refused(plan_in_hall(off, there), PlanStatus::start_in_collision);
     expect_refused(plan_in_hall(here, off), PlanStatus::goal_in_collision);

@@ -25,8 +25,10 @@ Path random_path(Random& random, const Robot& robot, int pieces)
   double phi = random.steering(robot, mode);
   for (int k = 0; k < pieces; ++k)
   {
-    if (random.chance(0.4)) mode = random.mode(), phi = random.steering(robot, mode);
-    else if (random.chance(0.5)) phi = random.chance(0.5) ? robot.max_steering_angle : -robot.max_steering_angle;
+    if (random.chance(0.4))
+      mode = random.mode(), phi = random.steering(robot, mode);
+    else if (random.chance(0.5))
+      phi = random.chance(0.5) ? robot.max_steering_angle : -robot.max_steering_angle;
     const double length = random.chance(0.2) ? random.between(-0.01, 0.01) : random.between(-1.5, 1.5);
     path.pieces.push_back({mode, path.goal, phi, length});
     path.goal = advance(robot, path.goal, mode, phi, length);
@@ -90,9 +92,8 @@ TEST_F(StopAndSteer, BeginsAtTheStartAndEndsAtTheGoalAtRest)
 
 TEST_F(StopAndSteer, TakesTimeForEveryStep)
 {
-  for_steps([](const Robot&, double, const TrajectoryPoint& from, const TrajectoryPoint& to) {
-    ASSERT_GT(to.t, from.t);
-  });
+  for_steps(
+      [](const Robot&, double, const TrajectoryPoint& from, const TrajectoryPoint& to) { ASSERT_GT(to.t, from.t); });
 }
 
 TEST_F(StopAndSteer, KeepsTheLimitsOfSpeedAndAcceleration)
@@ -117,8 +118,9 @@ TEST_F(StopAndSteer, TurnsTheWheelsOnlyAtRestAndNoFasterThanTheyCan)
     if (turn == 0.0) return;
     ASSERT_EQ(from.v, 0.0);
     ASSERT_EQ(to.v, 0.0);
-    ASSERT_GE(dt, reorientation_time(robot, wheel_angles(robot, from.mode, from.phi),
-                                     wheel_angles(robot, to.mode, to.phi)) - kAccuracy);
+    ASSERT_GE(
+        dt, reorientation_time(robot, wheel_angles(robot, from.mode, from.phi), wheel_angles(robot, to.mode, to.phi)) -
+                kAccuracy);
     Robot unlimited = robot;
     unlimited.wheel_max_angle = 2.0 * M_PI;
     for (int k = 0; k < kSamples; ++k)
@@ -142,7 +144,8 @@ TEST_F(StopAndSteer, SwitchesAtRestAndAsLongAsTheWheelsNeed)
     ASSERT_NEAR(from.theta, to.theta, kAccuracy);
     ASSERT_GE(to.t - from.t, robot.mode_switch_time - kAccuracy);
     ASSERT_GE(to.t - from.t, reorientation_time(robot, wheel_angles(robot, from.mode, from.phi),
-                                                wheel_angles(robot, to.mode, to.phi)) - kAccuracy);
+                                                wheel_angles(robot, to.mode, to.phi)) -
+                                 kAccuracy);
   });
   EXPECT_GT(switches, 100);
 }

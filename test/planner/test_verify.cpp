@@ -45,7 +45,10 @@ TEST(Verify, RefusesTimesThatDoNotIncrease)
 
 TEST(Verify, RefusesAStartTimeOtherThanZero)
 {
-  expect_refused(judge_changed([](Trajectory& p) { for (auto& point : p) point.t += 0.1; }), "first point");
+  expect_refused(judge_changed([](Trajectory& p) {
+                   for (auto& point : p) point.t += 0.1;
+                 }),
+                 "first point");
 }
 
 TEST(Verify, RefusesModesThatAreNotPlanned)
@@ -57,8 +60,7 @@ TEST(Verify, RefusesModesThatAreNotPlanned)
 TEST(Verify, HoldsTheStartAgainstItsTolerance)
 {
   const Script tour = grand_tour();
-  const auto shifted = [&](double x, double theta)
-  {
+  const auto shifted = [&](double x, double theta) {
     Pose start = tour.start();
     start.x += x, start.theta += theta;
     return judge(tour.points(), start, tour.end());
@@ -72,8 +74,7 @@ TEST(Verify, HoldsTheStartAgainstItsTolerance)
 TEST(Verify, HoldsTheGoalAgainstItsTolerance)
 {
   const Script tour = grand_tour();
-  const auto shifted = [&](double y, double theta)
-  {
+  const auto shifted = [&](double y, double theta) {
     Pose goal = tour.end();
     goal.y += y, goal.theta += theta;
     return judge(tour.points(), tour.start(), goal);
@@ -128,8 +129,9 @@ TEST(Verify, HoldsTheSteeringRateAgainstItsLimitAtRestToo)
   robot.wheel_max_rate = 20.0;
   for (const double v : {0.0, 0.5})
   {
-    const auto steer = [&](double duration)
-    { return judge(Script({}, Mode::ackermann).go(0.2, v, 0.0).go(duration, v, 0.3).go(0.2, 0.0, 0.3), robot); };
+    const auto steer = [&](double duration) {
+      return judge(Script({}, Mode::ackermann).go(0.2, v, 0.0).go(duration, v, 0.3).go(0.2, 0.0, 0.3), robot);
+    };
     expect_accepted(steer(0.3 / M_PI * 1.00001));
     expect_refused(steer(0.3 / M_PI * 0.9999), "steering rate");
   }
@@ -146,8 +148,7 @@ TEST(Verify, WantsTheFieldsAAndOmegaToAgreeWithTheDifferences)
 TEST(Verify, HoldsTheRollOutAgainstItsTolerance)
 {
   const Script script = Script({}, Mode::lateral, 0.4).drive(0.8, 1.0);
-  const auto end_moved = [&](double x, double theta)
-  {
+  const auto end_moved = [&](double x, double theta) {
     Trajectory points = script.points();
     points.back().x += x, points.back().theta += theta;
     return judge(points, script.start(), points.back().pose());
@@ -181,8 +182,7 @@ TEST(Verify, RefusesThePapersEulerStepAtFullLock)
 
 TEST(Verify, SaysAHandfulAboutATrajectoryWrongEverywhere)
 {
-  const Verdict verdict = judge_changed([](Trajectory& p)
-  {
+  const Verdict verdict = judge_changed([](Trajectory& p) {
     for (auto& point : p) point.v = 3.0, point.phi = 5.0, point.a = 100.0;
   });
   EXPECT_GE(verdict.violations.size(), 5u);

@@ -134,8 +134,7 @@ TEST(VerifyCollision, TheBorderOfTheGridMayBeTouchedButNotCrossed)
 
 TEST(VerifyCollision, CellsAreObstaclesByTheRule)
 {
-  const auto collides = [](std::int8_t value, const ObstacleRule& rule)
-  {
+  const auto collides = [](std::int8_t value, const ObstacleRule& rule) {
     OccupancyGrid grid = empty_grid(60, 60, 0.05);
     occupy(grid, 30, 30, value);
     return !stand(Referee(grid, rule, {}), {1.5, 1.5, 0.0}).accepted();
@@ -236,7 +235,8 @@ std::vector<Pose> dense_poses(const Script& script)
       const double share = (k + 0.5) / parts, h = (to.t - from.t) / parts;
       const double v = from.v + share * (to.v - from.v), phi = from.phi + share * (to.phi - from.phi);
       const double turn = at.mode == Mode::ackermann ? 2.0 * v * std::tan(phi) / Robot().wheelbase
-                          : at.mode == Mode::lateral ? 2.0 * v * std::tan(phi) / Robot().track_width : 0.0;
+                          : at.mode == Mode::lateral ? 2.0 * v * std::tan(phi) / Robot().track_width
+                                                     : 0.0;
       const double course = at.mode == Mode::lateral ? M_PI_2 : at.mode == Mode::parallel ? phi : 0.0;
       at.x += h * v * std::cos(at.theta + h / 2 * turn + course);
       at.y += h * v * std::sin(at.theta + h / 2 * turn + course);
@@ -288,8 +288,7 @@ TEST(VerifyCollision, OneRefereeJudgesInSeveralThreads)
   std::array<Verdict, 4> verdicts;
   std::vector<std::thread> threads;
   for (Verdict& verdict : verdicts)
-    threads.emplace_back([&]
-    {
+    threads.emplace_back([&] {
       for (int k = 0; k < 50; ++k) verdict = referee.judge(script.start(), script.end(), script.points());
     });
   for (std::thread& thread : threads) thread.join();

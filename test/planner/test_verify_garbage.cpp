@@ -111,8 +111,7 @@ TEST(VerifyGarbage, AnEndlessCircleIsNotFollowedForEver)
 
 TEST(VerifyGarbage, AnUnusableGridIsRefusedByName)
 {
-  const auto message = [](const OccupancyGrid& grid) -> std::string
-  {
+  const auto message = [](const OccupancyGrid& grid) -> std::string {
     try
     {
       Referee(grid, {}, {});
@@ -136,8 +135,7 @@ TEST(VerifyGarbage, AnUnusableGridIsRefusedByName)
 
 TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
 {
-  const auto message = [](const Robot& robot, const VerifyOptions& options) -> std::string
-  {
+  const auto message = [](const Robot& robot, const VerifyOptions& options) -> std::string {
     try
     {
       Referee(empty_grid(10, 10, 0.1), {}, robot, options);

@@ -9,16 +9,18 @@ namespace
 
 TEST(VerifyWheels, WantsTheSwitchTimeEvenWhenNoWheelTurns)
 {
-  const auto take = [](double duration)
-  { return judge(Script({}, Mode::ackermann).drive(0.5, 0.5).switch_to(Mode::parallel, 0.0, duration)); };
+  const auto take = [](double duration) {
+    return judge(Script({}, Mode::ackermann).drive(0.5, 0.5).switch_to(Mode::parallel, 0.0, duration));
+  };
   expect_accepted(take(0.4));
   expect_refused(take(0.3999), "duration of a mode switch");
 }
 
 TEST(VerifyWheels, WantsTimeForTheWheelsToTurnTheirShorterWay)
 {
-  const auto take = [](Mode to, double phi, double duration, const Robot& robot = {})
-  { return judge(Script({}, Mode::ackermann).switch_to(to, phi, duration).drive(0.2, 0.5), robot); };
+  const auto take = [](Mode to, double phi, double duration, const Robot& robot = {}) {
+    return judge(Script({}, Mode::ackermann).switch_to(to, phi, duration).drive(0.2, 0.5), robot);
+  };
   expect_accepted(take(Mode::lateral, 0.0, 0.5));
   expect_refused(take(Mode::lateral, 0.0, 0.4999), "time to turn at rest of the front left wheel");
   // 100 degrees are 80 the other way round; with stops at 95 degrees there are only those 80.
@@ -29,8 +31,7 @@ TEST(VerifyWheels, WantsTimeForTheWheelsToTurnTheirShorterWay)
 
 TEST(VerifyWheels, CountsTheWayAroundAStop)
 {
-  const auto turn = [](double max_angle)
-  {
+  const auto turn = [](double max_angle) {
     Robot robot;
     robot.wheel_max_angle = max_angle;
     robot.wheel_max_rate = M_PI / 2.0;
@@ -38,16 +39,14 @@ TEST(VerifyWheels, CountsTheWayAroundAStop)
     script.drive(0.2, 0.5).go(1.0, 0.0, -80.0 * kDegree).drive(0.2, 0.5);
     return judge(script, robot);
   };
-  expect_accepted(turn(160.0 * kDegree));  // 20 degrees, from 80 to 100
+  expect_accepted(turn(160.0 * kDegree));                        // 20 degrees, from 80 to 100
   expect_refused(turn(90.0 * kDegree), "time to turn at rest");  // 160 degrees
 }
 
 TEST(VerifyWheels, WantsThePoseToStayDuringASwitch)
 {
-  const auto moved = [](double x, double theta)
-  {
-    return judge_changed([&](Trajectory& p)
-    {
+  const auto moved = [](double x, double theta) {
+    return judge_changed([&](Trajectory& p) {
       for (std::size_t i = 5; i < p.size(); ++i) p[i].x += x, p[i].theta += theta;
     });
   };
@@ -93,8 +92,7 @@ TEST(VerifyWheels, HoldsTheWheelsSteeringRateAgainstItsLimitInMotion)
       SCOPED_TRACE(to_string(mode) + std::string(" from ") + std::to_string(from) + ", gain " + std::to_string(gain));
       Robot robot;
       robot.max_steering_rate = 20.0;
-      const auto steer = [&](double wheel_rate)
-      {
+      const auto steer = [&](double wheel_rate) {
         const double duration = gain * std::abs(to - from) / wheel_rate;
         return judge(Script({}, mode, from).go(0.2, 0.5, from).go(duration, 0.5, to).go(0.2, 0.0, to), robot);
       };
@@ -116,8 +114,7 @@ TEST(VerifyWheels, HoldsTheWheelsSpeedAgainstItsLimit)
         factor = std::max(factor, speed);
       }
       SCOPED_TRACE(to_string(mode) + std::string(", factor ") + std::to_string(factor));
-      const auto drive = [&](double max_speed)
-      {
+      const auto drive = [&](double max_speed) {
         Robot robot;
         robot.wheel_max_speed = max_speed;
         return judge(Script({}, mode, phi).drive(0.8, 0.5), robot);
@@ -131,8 +128,9 @@ TEST(VerifyWheels, SeesAWheelThatIsTooFastOnlyBetweenTwoPoints)
 {
   // Slowing down while the lock grows: fastest at neither end.
   Robot robot;
-  const auto drive = [&]
-  { return judge(Script({}, Mode::lateral).go(0.2, 0.9, 0.0).go(1.0, 0.5, 0.52).go(0.2, 0.0, 0.52), robot); };
+  const auto drive = [&] {
+    return judge(Script({}, Mode::lateral).go(0.2, 0.9, 0.0).go(1.0, 0.5, 0.52).go(0.2, 0.0, 0.52), robot);
+  };
   double fastest = 0.0;
   for (int k = 0; k <= 1000; ++k)
   {
@@ -165,8 +163,10 @@ TEST(VerifyWheels, KeepsABranchWhileTheSpeedPassesThroughZero)
   const double phi = 25.0 * kDegree;
   expect_refused(judge(Script({}, Mode::lateral, -phi).go(0.2, 0.4, -phi).go(1.0, -0.4, phi).go(0.2, 0.0, phi), robot),
                  "without rest");
-  expect_refused(judge(Script({}, Mode::lateral, -phi).go(0.2, 0.4, -phi).go(0.5, 0.0, 0.0).go(0.5, 0.4, phi)
-                           .go(0.2, 0.0, phi), robot), "without rest");
+  expect_refused(
+      judge(Script({}, Mode::lateral, -phi).go(0.2, 0.4, -phi).go(0.5, 0.0, 0.0).go(0.5, 0.4, phi).go(0.2, 0.0, phi),
+            robot),
+      "without rest");
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ protected:
     set_start(kStart);
     const ros::Time before = ros::Time::now();
     send_goal(kGoal);
-    ASSERT_TRUE(statuses_.wait_for([&](const PlannerStatus& status)
-                                   { return status.status == "succeeded" && status.header.stamp >= before; }));
+    ASSERT_TRUE(statuses_.wait_for(
+        [&](const PlannerStatus& status) { return status.status == "succeeded" && status.header.stamp >= before; }));
     const auto published = wait_for_trajectory_since(before);
     ASSERT_TRUE(published);
     published_ = published->header.stamp;
@@ -213,7 +213,7 @@ TEST_F(BadInput, an_unknown_mode_is_refused_by_name)
   EXPECT_FALSE(answer.success);
   EXPECT_EQ(answer.status, "invalid_input");
   EXPECT_NE(answer.message.find("'sideways' is unknown, expected ackermann, lateral or parallel"), std::string::npos)
-    << answer.message;
+      << answer.message;
 }
 
 TEST_F(BadInput, an_initial_pose_that_is_no_pose_is_refused_and_the_last_one_counts)

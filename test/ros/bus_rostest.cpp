@@ -52,12 +52,10 @@ protected:
 
   void enable()
   {
-    ASSERT_TRUE(wait_until(
-      []
-      {
-        std_srvs::Trigger call;
-        return ros::service::call("/can_bridge/enable", call) && call.response.success;
-      }));
+    ASSERT_TRUE(wait_until([] {
+      std_srvs::Trigger call;
+      return ros::service::call("/can_bridge/enable", call) && call.response.success;
+    }));
   }
 
   void send_goal(const Pose& goal)
@@ -106,13 +104,11 @@ TEST_F(Bus, a_goal_is_reached_over_frames_and_killing_the_bridge_stops_the_drive
     EXPECT_EQ(emergencies[0].data[0] | emergencies[0].data[1] << 8, 0x8130);
     EXPECT_LE(emergencies[0].data[3] | emergencies[0].data[4] << 8, 100);
   }
-  ASSERT_TRUE(wait_until(
-    [this]
-    {
-      const auto poses = truth_.messages();
-      const auto last = poses.end() - 1, before = poses.end() - 20;
-      return distance(to_pose((*last)->pose, "now"), to_pose((*before)->pose, "before")) < 1e-6;
-    }));
+  ASSERT_TRUE(wait_until([this] {
+    const auto poses = truth_.messages();
+    const auto last = poses.end() - 1, before = poses.end() - 20;
+    return distance(to_pose((*last)->pose, "now"), to_pose((*before)->pose, "before")) < 1e-6;
+  }));
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ TEST_F(CanBridgeNode, says_each_cycle_what_the_wheels_do_and_where_that_leads)
   EXPECT_TRUE(state->aligned);
   EXPECT_EQ(state->message, "");
   const auto odom =
-    odometry.wait_for([&](const nav_msgs::Odometry& o) { return o.header.stamp == state->header.stamp; });
+      odometry.wait_for([&](const nav_msgs::Odometry& o) { return o.header.stamp == state->header.stamp; });
   ASSERT_TRUE(odom) << "no odometry of the same stamp";
   EXPECT_NEAR(odom->twist.twist.linear.x, 0.4, 0.02);
   EXPECT_GT(odom->twist.covariance[0], 0.0);
@@ -203,8 +203,7 @@ TEST_F(CanBridgeNode, commands_of_impossible_stamps_are_not_taken)
   WheelCommands wild;
   wild.header.stamp.sec = 0xFFFFFFFF;
   commands_.publish(wild);
-  const auto counted = [](const DiagnosticArray& array)
-  {
+  const auto counted = [](const DiagnosticArray& array) {
     for (const DiagnosticStatus& status : array.status)
       for (const auto& value : status.values)
         if (value.key == "late commands" && value.value != "0") return true;
@@ -220,8 +219,7 @@ TEST_F(CanBridgeNode, a_fault_has_its_name_in_the_diagnostics_and_needs_to_be_cl
   inject("drive_fault", 7, 0x2310);
   ASSERT_TRUE(wait_for_state(WheelStates::FAULT));
   const std::string expected = "fault: driving rear_left: emergency_message 0x2310";
-  const auto named = [&](const DiagnosticArray& array)
-  {
+  const auto named = [&](const DiagnosticArray& array) {
     for (const DiagnosticStatus& status : array.status)
       if (status.level == DiagnosticStatus::ERROR && status.message == expected) return true;
     return false;

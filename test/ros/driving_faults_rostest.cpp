@@ -25,8 +25,7 @@ struct Loss
 };
 
 class Lost : public Faults, public testing::WithParamInterface<Loss>
-{
-};
+{};
 
 TEST_P(Lost, stops_it_soon_and_says_why_and_afterwards_it_drives_again)
 {

@@ -38,12 +38,10 @@ protected:
     PlannerFixture::SetUp();
     const nav_msgs::OccupancyGrid map = walled_map(20.0, 0.05, ++stamp_);
     // Again and again: a planner that has died counts as a subscriber, too.
-    ASSERT_TRUE(wait_until(
-      [&]
-      {
-        map_.publish(map);
-        return plan(stamped({}), stamped({})).map_stamp == map.header.stamp;
-      }));
+    ASSERT_TRUE(wait_until([&] {
+      map_.publish(map);
+      return plan(stamped({}), stamped({})).map_stamp == map.header.stamp;
+    }));
   }
 
   /// From the place where something has just happened to it.

@@ -36,8 +36,7 @@ protected:
   void expect_refused(const ModeTrajectory& trajectory, const std::string& reason)
   {
     trajectory_.publish(trajectory);
-    const auto says_so = [&](const Tracking& t)
-    {
+    const auto says_so = [&](const Tracking& t) {
       return t.state == Tracking::REFUSED && t.trajectory == trajectory.header.stamp &&
              t.message.find(reason) != std::string::npos;
     };
@@ -53,8 +52,7 @@ struct Way
 };
 
 class EveryMode : public Driving, public testing::WithParamInterface<Way>
-{
-};
+{};
 
 TEST_P(EveryMode, reaches_the_goal)
 {
@@ -109,8 +107,9 @@ TEST_F(Driving, diagnostics_tell_of_it)
 {
   Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
   send(plan({14, 10, 0}, {true, false, false}));
-  const auto array = diagnostics.wait_for([](const diagnostic_msgs::DiagnosticArray& a)
-                                          { return a.status.size() == 1 && a.status[0].message == "driving"; });
+  const auto array = diagnostics.wait_for([](const diagnostic_msgs::DiagnosticArray& a) {
+    return a.status.size() == 1 && a.status[0].message == "driving";
+  });
   ASSERT_TRUE(array);
   EXPECT_EQ(array->status[0].name, "mpc_controller: tracking");
   const diagnostic_msgs::KeyValue& slowest = array->status[0].values.back();
@@ -126,8 +125,7 @@ TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_o
   wait_for_motion(drive);
   std_msgs::Header header;
   header.frame_id = "map";
-  const auto message = [&](const std::string& frame, double seconds)
-  {
+  const auto message = [&](const std::string& frame, double seconds) {
     header.frame_id = frame;
     header.stamp = ros::Time::now() + ros::Duration(seconds);
     return to_message(trajectory, header);

@@ -12,7 +12,7 @@ namespace
 
 const Pose kStart{2, 2, 0}, kEast{8, 2, 0}, kNorth{2, 8, 0};
 constexpr double kStartDelay = 0.2, kStopDelay = 0.05;  // config/global_planner.yaml
-constexpr double kHold = 2.0;        // where drives are held up, about 2 m from the start [s]
+constexpr double kHold = 2.0;                           // where drives are held up, about 2 m from the start [s]
 
 std::optional<FakeController> controller;
 
@@ -33,10 +33,7 @@ protected:
     feedback_.clear();
   }
 
-  void TearDown() override
-  {
-    EXPECT_FALSE(controller->surprised()) << "a trajectory came while the robot drove";
-  }
+  void TearDown() override { EXPECT_FALSE(controller->surprised()) << "a trajectory came while the robot drove"; }
 
   void send_action(const Pose& goal)
   {
@@ -59,7 +56,7 @@ protected:
     ASSERT_TRUE(action_.waitForResult(ros::Duration(10.0 * kPatience)));
     EXPECT_EQ(action_.getState().toString(), state);
     EXPECT_NE(action_.getState().getText().find(part), std::string::npos)
-      << "'" << action_.getState().getText() << "' lacks '" << part << "'";
+        << "'" << action_.getState().getText() << "' lacks '" << part << "'";
   }
 
   Inbox<ModeTrajectory>::Pointer wait_for_stop()
@@ -80,7 +77,8 @@ protected:
   {
     std::string names;
     for (const auto& status : statuses_.messages())
-      if (distance(to_pose(status->goal.pose, "goal"), goal) < 1e-9) names += (names.empty() ? "" : " ") + status->status;
+      if (distance(to_pose(status->goal.pose, "goal"), goal) < 1e-9)
+        names += (names.empty() ? "" : " ") + status->status;
     return names;
   }
 
@@ -123,8 +121,9 @@ TEST_F(Execution, a_goal_is_reached_when_the_controller_says_so)
 {
   drive_towards(kEast);
   EXPECT_EQ(action_.getState().toString(), "ACTIVE");
-  EXPECT_TRUE(feedback_.wait_for([](const move_base_msgs::MoveBaseActionFeedback& f)
-                                 { return f.feedback.base_position.pose.position.x > kStart.x + 1.0; }));
+  EXPECT_TRUE(feedback_.wait_for([](const move_base_msgs::MoveBaseActionFeedback& f) {
+    return f.feedback.base_position.pose.position.x > kStart.x + 1.0;
+  }));
   controller->release();
   expect_end("SUCCEEDED", "arrived in ");
   EXPECT_LT(distance(controller->pose(), kEast), 1e-3);

@@ -27,7 +27,7 @@ public:
   FakeController()
   {
     subscriber_ = node_.subscribe<fourwis_navigation::ModeTrajectory>(
-      "trajectory", 100, [this](const fourwis_navigation::ModeTrajectoryConstPtr& trajectory) { take(trajectory); });
+        "trajectory", 100, [this](const fourwis_navigation::ModeTrajectoryConstPtr& trajectory) { take(trajectory); });
     thread_ = std::thread([this] { run(); });
   }
   ~FakeController()

@@ -37,16 +37,14 @@ public:
 
   explicit Inbox(const std::string& topic)
     : subscriber_(ros::NodeHandle().subscribe<Message>(topic, 1000, [this](const Pointer& m) { receive(m); }))
-  {
-  }
+  {}
 
   /// The first message since the last clear() that satisfies the condition; null when none comes.
   Pointer wait_for(const std::function<bool(const Message&)>& condition)
   {
     std::unique_lock<std::mutex> lock(mutex_);
     Pointer found;
-    const auto arrived = [&]
-    {
+    const auto arrived = [&] {
       for (const Pointer& message : messages_)
         if (condition(*message)) return found = message, true;
       return false;

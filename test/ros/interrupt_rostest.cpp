@@ -96,11 +96,9 @@ TEST_F(Interrupt, cancel_ends_a_service_call_too)
 {
   // The service goes on until it is cancelled, so the canceller may come as often as it takes.
   std::atomic<bool> answered{false};
-  std::thread canceller(
-    [&]
-    {
-      while (!answered) cancel();
-    });
+  std::thread canceller([&] {
+    while (!answered) cancel();
+  });
   const PlanTrajectory::Response answer = plan(stamped(kStart), stamped(kSlot), {"ackermann"});
   answered = true;
   canceller.join();

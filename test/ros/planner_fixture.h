@@ -78,14 +78,12 @@ protected:
 
   void SetUp() override
   {
-    ASSERT_TRUE(wait_until(
-      [this]
-      {
-        return action_.isServerConnected() && ros::service::exists("/move_base/cancel", false) &&
-               ros::service::exists("/move_base/plan_trajectory", false) && goal_.getNumSubscribers() > 0 &&
-               map_.getNumSubscribers() > 0 && update_.getNumSubscribers() > 0 && trajectories_.connected() &&
-               statuses_.connected();
-      }));
+    ASSERT_TRUE(wait_until([this] {
+      return action_.isServerConnected() && ros::service::exists("/move_base/cancel", false) &&
+             ros::service::exists("/move_base/plan_trajectory", false) && goal_.getNumSubscribers() > 0 &&
+             map_.getNumSubscribers() > 0 && update_.getNumSubscribers() > 0 && trajectories_.connected() &&
+             statuses_.connected();
+    }));
     // Latched: what the planner said last, perhaps in another test.
     ASSERT_TRUE(statuses_.wait_for_any());
   }
@@ -143,10 +141,9 @@ protected:
   /// The first status of this name about this goal since the inbox was cleared.
   Inbox<PlannerStatus>::Pointer wait_for_status(const std::string& name, const Pose& goal)
   {
-    return statuses_.wait_for(
-      [&](const PlannerStatus& status) {
-        return status.status == name && status.goal.pose.position.x == goal.x && status.goal.pose.position.y == goal.y;
-      });
+    return statuses_.wait_for([&](const PlannerStatus& status) {
+      return status.status == name && status.goal.pose.position.x == goal.x && status.goal.pose.position.y == goal.y;
+    });
   }
 
   /// The first trajectory for a goal given at `time` or later: it begins `start_delay` after that. It comes on a

@@ -35,9 +35,9 @@ protected:
 
   Inbox<ModeTrajectory>::Pointer wait_for_trajectory(const Pose& goal)
   {
-    return trajectories_.wait_for(
-      [&](const ModeTrajectory& t)
-      { return !t.points.empty() && std::hypot(t.points.back().x - goal.x, t.points.back().y - goal.y) < 1e-3; });
+    return trajectories_.wait_for([&](const ModeTrajectory& t) {
+      return !t.points.empty() && std::hypot(t.points.back().x - goal.x, t.points.back().y - goal.y) < 1e-3;
+    });
   }
 
   static double stamp_;
@@ -210,9 +210,9 @@ TEST_F(Planning, a_map_update_changes_the_answer)
 TEST_F(Planning, diagnostics_tell_of_the_map_and_the_last_plan)
 {
   Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
-  const auto array = diagnostics.wait_for(
-    [](const diagnostic_msgs::DiagnosticArray& a)
-    { return a.status.size() == 2 && a.status[0].message == "map received"; });
+  const auto array = diagnostics.wait_for([](const diagnostic_msgs::DiagnosticArray& a) {
+    return a.status.size() == 2 && a.status[0].message == "map received";
+  });
   ASSERT_TRUE(array);
   EXPECT_EQ(array->status[0].name, "move_base: map");
   EXPECT_EQ(array->status[1].name, "move_base: plan");

@@ -71,17 +71,16 @@ protected:
   /// Returns when the robot has not really moved for a while.
   void wait_for_rest()
   {
-    ASSERT_TRUE(wait_until(
-      [this]
-      {
-        const auto poses = truth_.messages();
-        const auto now = poses.rbegin();
-        const auto is_a_while_ago = [&](const auto& pose)
-        { return (*now)->header.stamp - pose->header.stamp >= ros::Duration(0.3); };
-        const auto before = std::find_if(now, poses.rend(), is_a_while_ago);
-        return before != poses.rend() &&
-               distance(to_pose((*now)->pose, "now"), to_pose((*before)->pose, "before")) < 1e-4;
-      }));
+    ASSERT_TRUE(wait_until([this] {
+      const auto poses = truth_.messages();
+      const auto now = poses.rbegin();
+      const auto is_a_while_ago = [&](const auto& pose) {
+        return (*now)->header.stamp - pose->header.stamp >= ros::Duration(0.3);
+      };
+      const auto before = std::find_if(now, poses.rend(), is_a_while_ago);
+      return before != poses.rend() &&
+             distance(to_pose((*now)->pose, "now"), to_pose((*before)->pose, "before")) < 1e-4;
+    }));
   }
 
   void expect_at(const Pose& goal) const

@@ -28,13 +28,11 @@ protected:
   /// Straight ahead, as a controller would say it again and again, until the base does.
   void drive_ahead(double speed)
   {
-    ASSERT_TRUE(wait_until(
-      [&]
-      {
-        command(TrajectoryPoint::ACKERMANN, speed);
-        const auto states = wheel_states_.messages();
-        return !states.empty() && std::abs(states.back()->drive_speed[0] - speed) < 0.01;
-      }));
+    ASSERT_TRUE(wait_until([&] {
+      command(TrajectoryPoint::ACKERMANN, speed);
+      const auto states = wheel_states_.messages();
+      return !states.empty() && std::abs(states.back()->drive_speed[0] - speed) < 0.01;
+    }));
   }
 
   void command(std::uint8_t mode, double speed)
@@ -71,8 +69,9 @@ TEST_F(Simulator, drives_as_it_is_told_and_says_so_in_odometry_joints_and_truth)
   Inbox<nav_msgs::Odometry> odometry("odom");
   Inbox<sensor_msgs::JointState> joints("joint_states");
   drive_ahead(0.5);
-  const auto drives = [](const nav_msgs::Odometry& o)
-  { return std::abs(o.twist.twist.linear.x - 0.5) < 0.02 && o.twist.covariance[0] > 0.0; };
+  const auto drives = [](const nav_msgs::Odometry& o) {
+    return std::abs(o.twist.twist.linear.x - 0.5) < 0.02 && o.twist.covariance[0] > 0.0;
+  };
   EXPECT_TRUE(odometry.wait_for(drives));
   EXPECT_TRUE(wait_until([this] { return truth().x > kMiddle.x + 0.05; }));
   const auto turned = joints.wait_for([](const sensor_msgs::JointState& j) { return j.position.at(4) > 0.1; });

@@ -40,8 +40,7 @@ protected:
     ASSERT_TRUE(wait_until([&] { return plan(stamped({}), stamped({})).trajectory.header.stamp == clock.clock; }));
   }
 
-  tf2_msgs::TFMessage transform(const std::string& parent, const std::string& child, const Pose& pose,
-                                            double seconds)
+  tf2_msgs::TFMessage transform(const std::string& parent, const std::string& child, const Pose& pose, double seconds)
   {
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = parent;
@@ -109,7 +108,7 @@ TEST_F(StartPose, a_goal_in_another_frame_is_transformed)
   send_goal(stamped({4, 0, 0}, "kitchen"));
   ASSERT_TRUE(wait_for_status("succeeded", {4, 0, 0}));
   const auto trajectory = trajectories_.wait_for(
-    [this](const ModeTrajectory& t) { return t.header.stamp >= ros::Time(hour_) && !t.points.empty(); });
+      [this](const ModeTrajectory& t) { return t.header.stamp >= ros::Time(hour_) && !t.points.empty(); });
   ASSERT_TRUE(trajectory);
   EXPECT_EQ(trajectory->header.frame_id, "map");
   EXPECT_NEAR(trajectory->points.back().x, 5.0, 1e-3);

@@ -42,8 +42,9 @@ TEST(BaseTopics, covariances_are_those_of_x_y_and_yaw)
 {
   const Odometry odometry = some_odometry();
   const nav_msgs::Odometry message = to_message(odometry, {}, {});
-  const auto at = [](const boost::array<double, 36>& covariance, int row, int column)
-  { return covariance[static_cast<std::size_t>(row * 6 + column)]; };
+  const auto at = [](const boost::array<double, 36>& covariance, int row, int column) {
+    return covariance[static_cast<std::size_t>(row * 6 + column)];
+  };
   constexpr int place[3] = {0, 1, 5};
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)

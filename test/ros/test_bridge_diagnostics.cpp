@@ -23,7 +23,8 @@ TEST(Explanation, SaysWhyTheBaseDoesNotDriveAndNothingWhileItDoes)
   EXPECT_EQ(explanation(report(BridgeStage::enabled, {can::Fault::error_passive})), "");
   EXPECT_EQ(explanation(report(BridgeStage::configure)), "configure");
   EXPECT_EQ(explanation(report(BridgeStage::ready)), "not enabled");
-  EXPECT_EQ(explanation(report(BridgeStage::ready, {can::Fault::command_timeout})), "not enabled: base: command_timeout");
+  EXPECT_EQ(explanation(report(BridgeStage::ready, {can::Fault::command_timeout})),
+            "not enabled: base: command_timeout");
   EXPECT_EQ(explanation(report(BridgeStage::fault, {can::Fault::heartbeat_lost, 2})),
             "fault: steering rear_left: heartbeat_lost");
 }

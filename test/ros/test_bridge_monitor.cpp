@@ -17,19 +17,16 @@ class TalkingBridge
 {
 public:
   TalkingBridge(BridgeMonitor& monitor, double time)
-    : thread_(
-        [this, &monitor, time]
+    : thread_([this, &monitor, time] {
+        can::BridgeUpdate update;
+        update.time = time;
+        for (; !end_; std::this_thread::yield())
         {
-          can::BridgeUpdate update;
-          update.time = time;
-          for (; !end_; std::this_thread::yield())
-          {
-            ++update.cycles;
-            monitor.put(update);
-          }
-        })
-  {
-  }
+          ++update.cycles;
+          monitor.put(update);
+        }
+      })
+  {}
   ~TalkingBridge()
   {
     end_ = true;

@@ -85,8 +85,7 @@ TEST_F(ControlLoopTest, steps_at_the_controllers_frequency_on_pairs_that_come_fa
 {
   const std::vector<ControlStep> steps = measure(kBegin, kBegin + 1.0);
   ASSERT_EQ(steps.size(), 50u);
-  for (std::size_t i = 1; i < steps.size(); ++i)
-    EXPECT_NEAR((steps[i].stamp - steps[i - 1].stamp).toSec(), 0.02, 1e-6);
+  for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_NEAR((steps[i].stamp - steps[i - 1].stamp).toSec(), 0.02, 1e-6);
 }
 
 TEST_F(ControlLoopTest, without_a_trajectory_it_tells_the_wheels_to_stop)

@@ -54,9 +54,9 @@ TEST(ControllerTopics, a_reason_is_told_with_what_is_behind_it)
 TEST(ControllerTopics, the_states_numbers_are_those_of_the_message)
 {
   const std::pair<TrackState, std::uint8_t> pairs[] = {
-    {TrackState::idle, Tracking::IDLE},         {TrackState::aligning, Tracking::ALIGNING},
-    {TrackState::driving, Tracking::DRIVING},   {TrackState::stopping, Tracking::STOPPING},
-    {TrackState::arrived, Tracking::ARRIVED},   {TrackState::failed, Tracking::FAILED}};
+      {TrackState::idle, Tracking::IDLE},       {TrackState::aligning, Tracking::ALIGNING},
+      {TrackState::driving, Tracking::DRIVING}, {TrackState::stopping, Tracking::STOPPING},
+      {TrackState::arrived, Tracking::ARRIVED}, {TrackState::failed, Tracking::FAILED}};
   for (const auto& [state, number] : pairs) EXPECT_EQ(static_cast<std::uint8_t>(state), number);
 }
 

@@ -162,7 +162,7 @@ TEST(Conversions, an_unusable_map_is_refused_by_the_field_that_is_wrong)
   using Map = nav_msgs::OccupancyGrid;
   EXPECT_EQ(map_refusal([](Map&) {}), "");
   EXPECT_TRUE(
-    says(map_refusal([](Map& m) { m.data.pop_back(); }), "data holds 5 cells, expected width x height = 3 x 2"));
+      says(map_refusal([](Map& m) { m.data.pop_back(); }), "data holds 5 cells, expected width x height = 3 x 2"));
   EXPECT_TRUE(says(map_refusal([](Map& m) { m.data.push_back(0); }), "data holds 7 cells"));
   EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.width = 0; }), "size is 0 x 2"));
   EXPECT_TRUE(says(map_refusal([](Map& m) { m = Map(); }), "size is 0 x 0"));
@@ -190,8 +190,8 @@ TEST(Conversions, an_update_overwrites_its_rectangle_and_nothing_else)
             {
               const bool inside = column >= x && column < x + width && row >= y && row < y + height;
               EXPECT_EQ(grid.at(column, row), inside ? 77 : before.at(column, row))
-                << "cell " << column << ", " << row << " after " << width << " x " << height << " at " << x << ", "
-                << y;
+                  << "cell " << column << ", " << row << " after " << width << " x " << height << " at " << x << ", "
+                  << y;
             }
         }
 }
@@ -204,7 +204,7 @@ TEST(Conversions, an_update_that_does_not_fit_is_refused_and_changes_nothing)
                           update(0, 0, 0xffffffffu, 1, 1), update(2147483647, 0, 1, 1, 1)})
     EXPECT_TRUE(says(error_of<ConversionError>([&] { apply_update(bad, grid); }), "do not lie in the map of 3 x 2"));
   EXPECT_TRUE(
-    says(error_of<ConversionError>([&] { apply_update(update(0, 0, 2, 2, 3), grid); }), "data holds 3 cells"));
+      says(error_of<ConversionError>([&] { apply_update(update(0, 0, 2, 2, 3), grid); }), "data holds 3 cells"));
   EXPECT_EQ(grid.data, before.data);
 }
 

@@ -131,7 +131,8 @@ TEST_F(DriveMonitorTest, what_is_refused_to_somebody_else_changes_nothing)
 TEST_F(DriveMonitorTest, a_trajectory_that_is_refused_is_lost_whether_it_had_begun_or_not)
 {
   begin_to_drive();
-  hear(101.0, Tracking::REFUSED, kBegin, "was planned before the controller started");  // a new one, which got it latched
+  hear(101.0, Tracking::REFUSED, kBegin,
+       "was planned before the controller started");  // a new one, which got it latched
   EXPECT_EQ(phase(), DrivePhase::lost);
   EXPECT_FALSE(rests());
   monitor_.sending_trajectory(ros::Time(103.0), now_);

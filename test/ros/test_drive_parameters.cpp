@@ -22,8 +22,14 @@ ParameterMap shipped(const std::string& node, const std::string& group)
   return parameters;
 }
 
-ParameterMap controller() { return shipped("mpc_controller", "mpc"); }
-ParameterMap simulator() { return shipped("base_simulator", "simulator"); }
+ParameterMap controller()
+{
+  return shipped("mpc_controller", "mpc");
+}
+ParameterMap simulator()
+{
+  return shipped("base_simulator", "simulator");
+}
 
 template <class Read>
 std::string error_with(ParameterMap parameters, Read read, const std::string& key, const ParameterValue& value)
@@ -86,7 +92,8 @@ TEST(DriveParameters, drives_on_a_bus_are_described_and_only_they)
   ParameterMap parameters = simulator();
   parameters["bus"] = std::string("unix:fourwis");
   EXPECT_TRUE(says(error_of<ConfigError>([&] { base_simulator_parameters_from(parameters); }), "in 'can_bridge'"));
-  for (const auto& [key, value] : read_parameter_file(kConfig + "can_bridge.yaml")) parameters["can_bridge/" + key] = value;
+  for (const auto& [key, value] : read_parameter_file(kConfig + "can_bridge.yaml"))
+    parameters["can_bridge/" + key] = value;
   parameters["can_bridge/wheel_radius"] = 0.2;
   EXPECT_EQ(base_simulator_parameters_from(parameters).bridge.wheel_radius, 0.2);
   parameters["real_time_factor"] = 5.0;
@@ -104,15 +111,17 @@ TEST(DriveParameters, every_key_is_missed_when_it_is_not_there)
 
 TEST(DriveParameters, what_is_unknown_or_out_of_range_is_refused_by_name)
 {
-  const auto of_controller = [](const std::string& key, const ParameterValue& value)
-  { return error_with(controller(), mpc_controller_parameters_from, key, value); };
+  const auto of_controller = [](const std::string& key, const ParameterValue& value) {
+    return error_with(controller(), mpc_controller_parameters_from, key, value);
+  };
   EXPECT_TRUE(says(of_controller("speed", 1.0), "unknown parameter 'speed'"));
   EXPECT_TRUE(says(of_controller("mpc/speed", 1.0), "in 'mpc': unknown parameter 'speed'"));
   EXPECT_TRUE(says(of_controller("global_frame", std::string("/map")), "without a leading slash"));
   EXPECT_TRUE(says(of_controller("transform_tolerance", -1.0), "expected a number from 0.01 to 60 s"));
 
-  const auto of_simulator = [](const std::string& key, const ParameterValue& value)
-  { return error_with(simulator(), base_simulator_parameters_from, key, value); };
+  const auto of_simulator = [](const std::string& key, const ParameterValue& value) {
+    return error_with(simulator(), base_simulator_parameters_from, key, value);
+  };
   EXPECT_TRUE(says(of_simulator("real_time_factor", 0.0), "expected a number from 0.01 to 1000"));
   EXPECT_TRUE(says(of_simulator("publish_clock", 1.0), "true or false"));
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <boost/make_shared.hpp>
 #include <gtest/gtest.h>
+#include <boost/make_shared.hpp>
 
 #include "fourwis_navigation/ros/map_store.h"
 
@@ -43,14 +43,11 @@ class MapStoreTest : public testing::Test
 {
 protected:
   MapStoreTest()
-    : store_("map", Robot(), PlannerOptions(),
-             [this](const std::string& message)
-             {
-               const std::lock_guard<std::mutex> lock(mutex_);
-               refused_.push_back(message);
-             })
-  {
-  }
+    : store_("map", Robot(), PlannerOptions(), [this](const std::string& message) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        refused_.push_back(message);
+      })
+  {}
 
   template <class Message>
   void add(const Message& message)

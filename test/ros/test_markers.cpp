@@ -28,7 +28,7 @@ TrajectoryPoint point(double t, Mode mode, double x, double y)
 Trajectory switching_trajectory()
 {
   return {point(0, Mode::ackermann, 0, 0), point(2, Mode::ackermann, 2, 0), point(3, Mode::lateral, 2, 0),
-          point(5, Mode::lateral, 2, 1),   point(6, Mode::parallel, 2, 1), point(8, Mode::parallel, 4, 1)};
+          point(5, Mode::lateral, 2, 1),   point(6, Mode::parallel, 2, 1),  point(8, Mode::parallel, 4, 1)};
 }
 
 const Marker& named(const MarkerArray& array, const std::string& name)

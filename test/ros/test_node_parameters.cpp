@@ -111,13 +111,14 @@ TEST(NodeParameters, an_unknown_key_is_refused_by_name_wherever_it_is)
 TEST(NodeParameters, a_value_out_of_range_or_of_another_type_is_refused_with_what_is_allowed)
 {
   EXPECT_TRUE(
-    says(error_with("transform_tolerance", 0.0), "'transform_tolerance' is 0, expected a number from 0.01 to 60 s"));
+      says(error_with("transform_tolerance", 0.0), "'transform_tolerance' is 0, expected a number from 0.01 to 60 s"));
   EXPECT_TRUE(says(error_with("transform_tolerance", std::string("soon")), "'soon'"));
   EXPECT_TRUE(says(error_with("start_from", std::string("nowhere")), "'nowhere', expected 'tf' or 'initialpose'"));
   EXPECT_TRUE(says(error_with("modes", std::string("ackermann,sideways")), "ackermann, lateral and parallel"));
   EXPECT_TRUE(says(error_with("modes", std::string("")), "ackermann, lateral and parallel"));
   EXPECT_TRUE(says(error_with("wait_for_controller", std::string("mpc")), "true or false"));
-  EXPECT_TRUE(says(error_with("replan_attempts", 1.5), "'replan_attempts' is 1.5, expected a whole number of attempts"));
+  EXPECT_TRUE(
+      says(error_with("replan_attempts", 1.5), "'replan_attempts' is 1.5, expected a whole number of attempts"));
   EXPECT_TRUE(says(error_with("replan_attempts", -1.0), "a number from 0 to 100 attempts"));
   EXPECT_TRUE(says(error_with("show_expansions", 1.0), "true or false"));
   EXPECT_TRUE(says(error_with("show_corridors", std::string("yes")), "true or false"));

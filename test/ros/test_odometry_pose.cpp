@@ -71,7 +71,8 @@ TEST_F(OdometryPoseTest, the_newest_localisation_stands_in_until_it_is_too_old)
 {
   localize({1, 0, 0}, 10.0);
   expect_at(odometry({}, 10.4), {1, 0, 0});
-  EXPECT_TRUE(says(refusal(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5"));
+  EXPECT_TRUE(
+      says(refusal(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5"));
 }
 
 TEST_F(OdometryPoseTest, a_localisation_that_dates_ahead_will_do_from_the_first_one_on)

@@ -31,13 +31,11 @@ TEST(PlanWorker, a_new_task_cancels_the_one_that_runs)
   PlanWorker worker;
   std::promise<void> started, first;
   std::promise<bool> second;
-  worker.submit(
-    [&](const std::atomic<bool>& cancelled)
-    {
-      started.set_value();
-      run_until(cancelled);
-      first.set_value();
-    });
+  worker.submit([&](const std::atomic<bool>& cancelled) {
+    started.set_value();
+    run_until(cancelled);
+    first.set_value();
+  });
   started.get_future().wait();
   worker.submit([&](const std::atomic<bool>& cancelled) { second.set_value(cancelled); });
   first.get_future().wait();
@@ -52,13 +50,11 @@ TEST(PlanWorker, of_many_waiting_tasks_all_are_told_and_only_the_newest_runs_unc
   worker.submit([&](const std::atomic<bool>& cancelled) { started.set_value(), run_until(cancelled); });
   started.get_future().wait();
   for (int i = 0; i < 5; ++i)
-    worker.submit(
-      [&, i](const std::atomic<bool>& cancelled)
-      {
-        order.push_back(i);
-        if (!cancelled) uncancelled.push_back(i);
-        if (i == 4) last.set_value();
-      });
+    worker.submit([&, i](const std::atomic<bool>& cancelled) {
+      order.push_back(i);
+      if (!cancelled) uncancelled.push_back(i);
+      if (i == 4) last.set_value();
+    });
   last.get_future().wait();
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
   // A task before the newest may have begun before the next was submitted, but the newest always runs.
@@ -71,13 +67,11 @@ TEST(PlanWorker, cancel_ends_what_runs_and_says_whether_anything_did)
   PlanWorker worker;
   EXPECT_FALSE(worker.cancel());
   std::promise<void> started, ended;
-  worker.submit(
-    [&](const std::atomic<bool>& cancelled)
-    {
-      started.set_value();
-      run_until(cancelled);
-      ended.set_value();
-    });
+  worker.submit([&](const std::atomic<bool>& cancelled) {
+    started.set_value();
+    run_until(cancelled);
+    ended.set_value();
+  });
   started.get_future().wait();
   EXPECT_TRUE(worker.cancel());
   ended.get_future().wait();
@@ -88,7 +82,7 @@ TEST(PlanWorker, a_ticket_cancels_its_own_task)
   PlanWorker worker;
   std::promise<void> ended;
   const PlanWorker::Ticket ticket =
-    worker.submit([&](const std::atomic<bool>& cancelled) { run_until(cancelled), ended.set_value(); });
+      worker.submit([&](const std::atomic<bool>& cancelled) { run_until(cancelled), ended.set_value(); });
   *ticket = true;
   ended.get_future().wait();
 }

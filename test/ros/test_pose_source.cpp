@@ -107,8 +107,8 @@ TEST_F(PoseSourceTest, a_goal_that_a_transform_tilts_out_of_the_plane_is_refused
   geometry_msgs::TransformStamped wall = transform("map", "camera", {}, ros::Time(1.0));
   wall.transform.rotation.x = wall.transform.rotation.w = std::sqrt(0.5);
   tf_.setTransform(wall, "test");
-  EXPECT_TRUE(
-    says(error_of<ConversionError>([&] { source(StartFrom::tf).to_global(stamped("camera", {}), "goal"); }), "tilted"));
+  EXPECT_TRUE(says(error_of<ConversionError>([&] { source(StartFrom::tf).to_global(stamped("camera", {}), "goal"); }),
+                   "tilted"));
 }
 
 TEST_F(PoseSourceTest, the_robot_is_where_a_fresh_transform_says)
@@ -162,8 +162,7 @@ TEST_F(PoseSourceTest, where_the_robot_was_is_the_same_to_the_last_bit_whenever_
   const PoseSource poses = source(StartFrom::tf);
   for (int k = 1; k <= 50; ++k)
   {
-    const auto hear = [&](double seconds)
-    {
+    const auto hear = [&](double seconds) {
       const double a = k + seconds;
       for (const auto& [parent, child] : {std::pair("map", "odom"), {"odom", "base_link"}})
         tf_.setTransform(transform(parent, child, {0.1 * a, 0.7 * a, 0.3 * a}, ros::Time(a)), "test");
@@ -185,7 +184,8 @@ TEST_F(PoseSourceTest, where_the_robot_is_now_is_waited_for)
 {
   const std::atomic<bool> cancelled{false};
   tf_.setTransform(transform("map", "base_link", {1, 0, 0}, ros::Time(10.0)), "test");
-  auto pose = std::async(std::launch::async, [&] { return source(StartFrom::tf).robot_at(ros::Time(10.2), cancelled); });
+  auto pose =
+      std::async(std::launch::async, [&] { return source(StartFrom::tf).robot_at(ros::Time(10.2), cancelled); });
   tf_.setTransform(transform("map", "base_link", {1.3, 0, 0}, ros::Time(10.3)), "test");
   expect_pose(pose.get(), {1.2, 0, 0});
 }
@@ -213,7 +213,7 @@ TEST_F(PoseSourceTest, a_pose_taken_to_the_global_frame_is_the_same_pose_there_t
 TEST_F(PoseSourceTest, without_a_transform_the_start_is_refused_by_name)
 {
   EXPECT_TRUE(says(error_of<ConversionError>([&] { source(StartFrom::tf).robot(ros::Time(1.0)); }),
-               "start pose: no transform from 'base_link' to 'map'"));
+                   "start pose: no transform from 'base_link' to 'map'"));
 }
 
 TEST_F(PoseSourceTest, the_last_initial_pose_counts_and_a_bad_one_changes_nothing)
@@ -222,8 +222,8 @@ TEST_F(PoseSourceTest, the_last_initial_pose_counts_and_a_bad_one_changes_nothin
   EXPECT_TRUE(says(error_of<ConversionError>([&] { poses.robot(ros::Time(1.0)); }), "'initialpose'"));
   poses.set_initial(initial_pose("map", {1, 2, 3}));
   poses.set_initial(initial_pose("map", {4, 5, 0.5}));
-  EXPECT_TRUE(
-    says(error_of<ConversionError>([&] { poses.set_initial(initial_pose("moon", {})); }), "initialpose: no transform"));
+  EXPECT_TRUE(says(error_of<ConversionError>([&] { poses.set_initial(initial_pose("moon", {})); }),
+                   "initialpose: no transform"));
   expect_pose(poses.robot(ros::Time(1000.0)), {4, 5, 0.5});
 }
 

@@ -177,8 +177,7 @@ TEST_F(LongSearch, IsInterruptedInTheMiddleOfTheSearch)
     cancelled = ++asked > 200;
     return fourwis::distance(pose, request.goal);
   };
-  const SearchResult result =
-      hybrid_astar(site.checker, site.robot, options, request, distance, Interrupt(&cancelled));
+  const SearchResult result = hybrid_astar(site.checker, site.robot, options, request, distance, Interrupt(&cancelled));
   EXPECT_EQ(result.status, PlanStatus::cancelled);
   EXPECT_GT(result.expansions, 0);
 }

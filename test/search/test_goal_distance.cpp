@@ -98,10 +98,7 @@ TEST(GoalDistance, IsNothingAtTheGoal)
 /// A wall from the lower border up to y = 7 of 10 m, between start and goal.
 struct Detour : testing::Test
 {
-  Detour()
-  {
-    occupy_block(grid, 99, 0, 2, 140);
-  }
+  Detour() { occupy_block(grid, 99, 0, 2, 140); }
   OccupancyGrid grid = free_area(10.0, 10.0, 0.05);
   const Pose start = {2.0, 2.0, 0.0}, goal = {8.0, 2.0, 0.0};
 };

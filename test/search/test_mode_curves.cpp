@@ -37,16 +37,19 @@ struct Curves : testing::Test
     for (int k = 0; k < 1500; ++k)
     {
       const double size = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 2.0 : 15.0;
-      Problem problem{random.pose(5.0), {}, all_mode_sets()[static_cast<std::size_t>(k) % 7],
-                      {random.mode(), nullptr, k % 3 == 1}, k % 2 == 0 ? kInfinity : random.between(0.0, 30.0)};
+      Problem problem{random.pose(5.0),
+                      {},
+                      all_mode_sets()[static_cast<std::size_t>(k) % 7],
+                      {random.mode(), nullptr, k % 3 == 1},
+                      k % 2 == 0 ? kInfinity : random.between(0.0, 30.0)};
       problem.goal = compose(problem.from, random.pose(size));
       if (k % 5 == 0) problem.goal.theta = problem.from.theta;
       const Mode mode = problem.situation.mode;
       before = {mode, {}, random.steering(robot, mode), random.between(-1.0, 1.0)};
       if (k % 3 == 0) problem.situation.previous = &before;
       const ModeCurves curves(robot, options, cost, problem.modes);
-      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", " + text(problem.modes) + " in " + to_string(mode) +
-                   " from " + text(problem.from) + " to " + text(problem.goal));
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", " + text(problem.modes) + " in " + to_string(mode) + " from " +
+                   text(problem.from) + " to " + text(problem.goal));
       visit(problem, curves, candidates(curves, problem));
       if (HasFatalFailure()) return;
     }
@@ -177,8 +180,7 @@ TEST_F(Curves, OfParallelMotionAloneAreOneStraightLine)
   for (int k = 0; k < 200; ++k)
   {
     const Pose from = random.pose(5.0), goal = {from.x + random.between(-3.0, 3.0), from.y + 1.0, from.theta};
-    const std::vector<ModeCurve> found =
-        candidates(curves, {from, goal, {}, {Mode::parallel}, kInfinity});
+    const std::vector<ModeCurve> found = candidates(curves, {from, goal, {}, {Mode::parallel}, kInfinity});
     ASSERT_EQ(found.size(), 1u) << text(from) << " to " << text(goal);
     ASSERT_EQ(found[0].count, 1);
     ASSERT_NEAR(std::abs(found[0].pieces[0].length), distance(from, goal), kAccuracy);

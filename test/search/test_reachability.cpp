@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr unsigned kSeed = 10;
-constexpr double kCell = 0.05;   ///< [m]
-constexpr double kSlack = 4.0;   ///< [m]
+constexpr double kCell = 0.05;  ///< [m]
+constexpr double kSlack = 4.0;  ///< [m]
 
 /// The proofs; each may be wrong only by not finding out that there is no way.
 struct Proofs
@@ -66,8 +66,9 @@ OccupancyGrid tunnel_around(const Path& path, const Site& site)
     const int steps = 1 + static_cast<int>(std::abs(piece.length) / 0.02);
     for (int k = 0; k <= steps; ++k)
       for (double offset : {site.checker.discs().offset, -site.checker.discs().offset})
-        discs.push_back(relative_to(grid.origin, compose(advance(site.robot, piece.start, piece.mode, piece.phi,
-                                                                 piece.length * k / steps), {offset, 0.0, 0.0})));
+        discs.push_back(relative_to(
+            grid.origin, compose(advance(site.robot, piece.start, piece.mode, piece.phi, piece.length * k / steps),
+                                 {offset, 0.0, 0.0})));
   }
   const double keep = site.checker.discs().radius + 1e-3;
   for (int row = 0; row < grid.height; ++row)

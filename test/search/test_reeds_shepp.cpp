@@ -19,10 +19,10 @@ constexpr unsigned seed = 20250101;
 
 std::vector<Pose> border_poses(int count)
 {
-  std::vector<Pose> poses = {{0, 0, 0}, {3, 0, 0}, {-3, 0, 0}, {0, 0, M_PI}, {0, 0, -M_PI}, {0, 2, M_PI}, {0, 4, 0},
-                             {2, 2, 0}, {4, 0, M_PI}, {0, 1e-16, 0}, {1e-300, 0, 0}, {50, 0, M_PI}, {0, 0, 1e-16}};
-  for (const ReedsSheppPath& word : border_words(count, seed))
-    poses.push_back(drive(word));
+  std::vector<Pose> poses = {{0, 0, 0},      {3, 0, 0},     {-3, 0, 0},   {0, 0, M_PI}, {0, 0, -M_PI},
+                             {0, 2, M_PI},   {0, 4, 0},     {2, 2, 0},    {4, 0, M_PI}, {0, 1e-16, 0},
+                             {1e-300, 0, 0}, {50, 0, M_PI}, {0, 0, 1e-16}};
+  for (const ReedsSheppPath& word : border_words(count, seed)) poses.push_back(drive(word));
   return poses;
 }
 
@@ -99,8 +99,7 @@ TEST_F(Laws, TheShortestWordIsTheLeastOfAll)
   {
     reeds_shepp_words(goal, words);
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < words.count; ++i)
-      least = std::min(least, words.paths[i].length);
+    for (int i = 0; i < words.count; ++i) least = std::min(least, words.paths[i].length);
     ASSERT_EQ(shortest_reeds_shepp(goal).length, least) << goal;
     ASSERT_EQ(reeds_shepp_length(goal), least) << goal;
   }
@@ -113,8 +112,7 @@ TEST_F(Laws, EachOfThe48WordsIsTheShortestSomewhere)
   {
     shortest.insert(name(shortest_reeds_shepp(goal)));
     reeds_shepp_words(goal, words);
-    for (int i = 0; i < words.count; ++i)
-      found.insert(name(words.paths[i]));
+    for (int i = 0; i < words.count; ++i) found.insert(name(words.paths[i]));
   }
   EXPECT_EQ(shortest.size(), 48u);
   EXPECT_EQ(found, shortest);
@@ -133,14 +131,12 @@ TEST_F(Laws, TimeFlipAndReflectionOfTheGoalKeepTheLength)
 
 TEST_F(Laws, TimeFlipAndReflectionOfTheGoalKeepTheWords)
 {
-  const auto mirrored_names = [this](const Pose& goal, int time, int side)
-  {
+  const auto mirrored_names = [this](const Pose& goal, int time, int side) {
     reeds_shepp_words(goal, words);
     std::multiset<std::string> names;
     for (int i = 0; i < words.count; ++i)
     {
-      for (ReedsSheppSegment& segment : words.paths[i].segments)
-        segment = {segment.turn * side, segment.length * time};
+      for (ReedsSheppSegment& segment : words.paths[i].segments) segment = {segment.turn * side, segment.length * time};
       names.insert(name(words.paths[i]));
     }
     return names;
@@ -225,8 +221,7 @@ TEST(ReedsShepp, DrivesStraightToWhatLiesAhead)
     EXPECT_EQ(path.segments[0].turn, 0) << x;
     EXPECT_NEAR(path.segments[0].length, x, 1e-12);
   }
-  for (const double x : {1e-3, 1e-6, 1e-9, 1e-12})
-    EXPECT_NEAR(reeds_shepp_length({x, 0.0, 0.0}) / x, 1.0, accuracy);
+  for (const double x : {1e-3, 1e-6, 1e-9, 1e-12}) EXPECT_NEAR(reeds_shepp_length({x, 0.0, 0.0}) / x, 1.0, accuracy);
 }
 
 TEST(ReedsShepp, DrivesOneArcToWhatLiesOnIt)
@@ -243,13 +238,11 @@ TEST(ReedsShepp, DrivesOneArcToWhatLiesOnIt)
 TEST(ReedsShepp, KnowsTheHalfTurnForwardAndBackward)
 {
   // Both lead to the same pose; a planner that prefers forward gear needs the one, whatever the rounding of pi.
-  const auto names = [](const Pose& goal)
-  {
+  const auto names = [](const Pose& goal) {
     ReedsSheppWords words;
     reeds_shepp_words(goal, words);
     std::set<std::string> names;
-    for (int i = 0; i < words.count; ++i)
-      names.insert(name(words.paths[i]));
+    for (int i = 0; i < words.count; ++i) names.insert(name(words.paths[i]));
     return names;
   };
   for (const double theta : {M_PI, -M_PI})
@@ -267,8 +260,7 @@ TEST(ReedsShepp, TurnsRoundOnTheSpotInThreeArcsOfSixtyDegrees)
   {
     const ReedsSheppPath path = shortest_reeds_shepp({0.0, 0.0, theta});
     ASSERT_EQ(path.count, 3);
-    for (int i = 0; i < 3; ++i)
-      EXPECT_NEAR(std::abs(path.segments[i].length), M_PI / 3.0, accuracy);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::abs(path.segments[i].length), M_PI / 3.0, accuracy);
   }
 }
 
@@ -301,8 +293,7 @@ TEST(ReedsShepp, TinyOffsetsNeedShortWays)
         const Pose goal{size * std::cos(angle), size * std::sin(angle), size * turn};
         EXPECT_LE(reeds_shepp_length(goal), 4.0 * std::sqrt(size)) << goal;
         reeds_shepp_words(goal, words);
-        for (int i = 0; i < words.count; ++i)
-          EXPECT_LE(error(drive(words.paths[i]), goal), 1e-12) << goal;
+        for (int i = 0; i < words.count; ++i) EXPECT_LE(error(drive(words.paths[i]), goal), 1e-12) << goal;
       }
 }
 

@@ -24,8 +24,7 @@ class Ompl
 {
 public:
   explicit Ompl(double radius) : space_(std::make_shared<ob::ReedsSheppStateSpace>(radius)), from_(space_), to_(space_)
-  {
-  }
+  {}
 
   double length(const Pose& from, const Pose& to)
   {

@@ -19,9 +19,11 @@ constexpr double kAccuracy = 1e-6;
 struct Shortcutter
 {
   Shortcutter(const OccupancyGrid& grid, const ModeSet& the_modes)
-    : site(grid), modes(the_modes), cost(site.robot, options), curves(site.robot, options, cost, modes)
-  {
-  }
+    : site(grid),
+      modes(the_modes),
+      cost(site.robot, options),
+      curves(site.robot, options, cost, modes)
+  {}
 
   Path operator()(const Path& path, const Interrupt& interrupt = {}) const
   {
@@ -154,11 +156,10 @@ TEST_F(Shortcut, MeetsAFarGoalAlsoWhenHeadingsOnTheWayDifferByNextToNothing)
     // To the left and back again but for a very small turn, along a wall, around its corner, and on for long.
     Path path;
     path.goal = {2.0, 2.0, 0.0};
-    for (const PathPiece& piece : {PathPiece{Mode::ackermann, {}, lock, 0.5},
-                                   PathPiece{Mode::ackermann, {}, -lock, 0.5 - turn / kappa},
-                                   PathPiece{Mode::ackermann, {}, 0.0, 22.5},
-                                   PathPiece{Mode::ackermann, {}, lock, M_PI_2 / kappa},
-                                   PathPiece{Mode::ackermann, {}, 0.0, 44.0}})
+    for (const PathPiece& piece :
+         {PathPiece{Mode::ackermann, {}, lock, 0.5}, PathPiece{Mode::ackermann, {}, -lock, 0.5 - turn / kappa},
+          PathPiece{Mode::ackermann, {}, 0.0, 22.5}, PathPiece{Mode::ackermann, {}, lock, M_PI_2 / kappa},
+          PathPiece{Mode::ackermann, {}, 0.0, 44.0}})
     {
       path.pieces.push_back(piece);
       path.pieces.back().start = path.goal;

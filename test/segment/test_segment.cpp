@@ -160,8 +160,7 @@ TEST_F(RandomPaths, TheMeanAnglesKeepTheIntegralOfTheAngleOverLength)
       double on_path = 0.0, on_segment = 0.0;
       for (; piece != path.pieces.end() && piece->mode == segment.mode; ++piece)
         on_path += piece->phi * std::abs(piece->length);
-      for (std::size_t i = 0; i < segment.intervals(); ++i)
-        on_segment += segment.phi[i] * std::abs(segment.length[i]);
+      for (std::size_t i = 0; i < segment.intervals(); ++i) on_segment += segment.phi[i] * std::abs(segment.length[i]);
       if (segment.mode == Mode::parallel) continue;
       EXPECT_NEAR(on_path, on_segment, 1e-9);
     }

@@ -59,10 +59,11 @@ public:
   /// `pass_on` tells the bus the time [s]. The bridge may expect something else than what the drives are.
   BridgeBench(can::Bus& bridge_end, can::Bus& drives_end, std::function<void(double)> pass_on,
               const can::BridgeOptions& expected = {}, const can::BridgeOptions& real = {})
-    : options(expected), spy(bridge_end), drives(drives_end, robot, real, SimulatorOptions()),
+    : options(expected),
+      spy(bridge_end),
+      drives(drives_end, robot, real, SimulatorOptions()),
       pass_on_(std::move(pass_on))
-  {
-  }
+  {}
   virtual ~BridgeBench() = default;
 
   /// Lets time pass in steps of 1 ms.

@@ -32,31 +32,31 @@ inline std::ostream& operator<<(std::ostream& out, const FaultCase& c)
 constexpr double kAtOnce = 0.002, kCycle = 0.01;
 
 inline const std::vector<FaultCase> kFaultCases = {
-  // A drive that is silent: five SYNC without an answer. Its heartbeat would be missed after 150 ms.
-  {sim::DriveFaultKind::node_silent, 6, 0, can::Fault::feedback_lost, 0.06 + kCycle},
-  {sim::DriveFaultKind::node_silent, 2, 0, can::Fault::feedback_lost, 0.06 + kCycle},
-  {sim::DriveFaultKind::heartbeat_lost, 3, 0, can::Fault::heartbeat_lost, 0.15 + kCycle},
-  {sim::DriveFaultKind::heartbeat_lost, 8, 0, can::Fault::heartbeat_lost, 0.15 + kCycle},
-  // It boots 100 ms later, but is silent from the beginning.
-  {sim::DriveFaultKind::reboot, 6, 0, can::Fault::feedback_lost, 0.06 + kCycle},
-  {sim::DriveFaultKind::reboot, 1, 0, can::Fault::node_rebooted, 0.06 + kCycle},
-  {sim::DriveFaultKind::emergency, 7, 0x4210, can::Fault::emergency_message, kAtOnce},
-  {sim::DriveFaultKind::emergency, 1, 0x7305, can::Fault::emergency_message, kAtOnce},
-  {sim::DriveFaultKind::drive_fault, 7, 0x2310, can::Fault::drive_fault, kAtOnce},
-  {sim::DriveFaultKind::drive_fault, 4, 0x2310, can::Fault::emergency_message, kAtOnce},
-  {sim::DriveFaultKind::wrong_size, 3, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
-  {sim::DriveFaultKind::wrong_size, 5, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
-  // It boots, and the drive it pretends to be answers all the same.
-  {sim::DriveFaultKind::duplicate_id, 4, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
-  {sim::DriveFaultKind::duplicate_id, 7, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
-  {sim::DriveFaultKind::status_missing, 5, 0, can::Fault::feedback_lost, 0.06 + kCycle},
-  // After 0.03 s the wheel is slower by more than 0.3 m/s, and then for 0.3 s.
-  {sim::DriveFaultKind::stuck_axis, 7, 0, can::Fault::speed_not_followed, 0.03 + 0.3 + 2 * kCycle},
-  {sim::DriveFaultKind::encoder_jump, 2, 600000, can::Fault::encoder_jump, kCycle + kAtOnce},
-  {sim::DriveFaultKind::encoder_jump, 6, -1000000, can::Fault::encoder_jump, kCycle + kAtOnce},
-  {sim::DriveFaultKind::foreign_master, 8, 100000, can::Fault::foreign_master, kCycle + kAtOnce},
-  {sim::DriveFaultKind::foreign_master, 1, 0, can::Fault::foreign_master, kCycle + kAtOnce},
-  {sim::DriveFaultKind::bus_off, 0, 0, can::Fault::bus_off, kAtOnce},
+    // A drive that is silent: five SYNC without an answer. Its heartbeat would be missed after 150 ms.
+    {sim::DriveFaultKind::node_silent, 6, 0, can::Fault::feedback_lost, 0.06 + kCycle},
+    {sim::DriveFaultKind::node_silent, 2, 0, can::Fault::feedback_lost, 0.06 + kCycle},
+    {sim::DriveFaultKind::heartbeat_lost, 3, 0, can::Fault::heartbeat_lost, 0.15 + kCycle},
+    {sim::DriveFaultKind::heartbeat_lost, 8, 0, can::Fault::heartbeat_lost, 0.15 + kCycle},
+    // It boots 100 ms later, but is silent from the beginning.
+    {sim::DriveFaultKind::reboot, 6, 0, can::Fault::feedback_lost, 0.06 + kCycle},
+    {sim::DriveFaultKind::reboot, 1, 0, can::Fault::node_rebooted, 0.06 + kCycle},
+    {sim::DriveFaultKind::emergency, 7, 0x4210, can::Fault::emergency_message, kAtOnce},
+    {sim::DriveFaultKind::emergency, 1, 0x7305, can::Fault::emergency_message, kAtOnce},
+    {sim::DriveFaultKind::drive_fault, 7, 0x2310, can::Fault::drive_fault, kAtOnce},
+    {sim::DriveFaultKind::drive_fault, 4, 0x2310, can::Fault::emergency_message, kAtOnce},
+    {sim::DriveFaultKind::wrong_size, 3, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
+    {sim::DriveFaultKind::wrong_size, 5, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
+    // It boots, and the drive it pretends to be answers all the same.
+    {sim::DriveFaultKind::duplicate_id, 4, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
+    {sim::DriveFaultKind::duplicate_id, 7, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
+    {sim::DriveFaultKind::status_missing, 5, 0, can::Fault::feedback_lost, 0.06 + kCycle},
+    // After 0.03 s the wheel is slower by more than 0.3 m/s, and then for 0.3 s.
+    {sim::DriveFaultKind::stuck_axis, 7, 0, can::Fault::speed_not_followed, 0.03 + 0.3 + 2 * kCycle},
+    {sim::DriveFaultKind::encoder_jump, 2, 600000, can::Fault::encoder_jump, kCycle + kAtOnce},
+    {sim::DriveFaultKind::encoder_jump, 6, -1000000, can::Fault::encoder_jump, kCycle + kAtOnce},
+    {sim::DriveFaultKind::foreign_master, 8, 100000, can::Fault::foreign_master, kCycle + kAtOnce},
+    {sim::DriveFaultKind::foreign_master, 1, 0, can::Fault::foreign_master, kCycle + kAtOnce},
+    {sim::DriveFaultKind::bus_off, 0, 0, can::Fault::bus_off, kAtOnce},
 };
 
 /// The base stops in time, and the fault has its name.

@@ -25,14 +25,13 @@ class BridgeFixture : public testing::Test, protected MemoryEnds, protected Brid
 protected:
   explicit BridgeFixture(const can::BridgeOptions& options = {}, const can::MemoryBusOptions& bus = {})
     : BridgeFixture(options, options, bus)
-  {
-  }
+  {}
   /// The bridge expects something else than what the drives are.
   BridgeFixture(const can::BridgeOptions& expected, const can::BridgeOptions& real, const can::MemoryBusOptions& memory)
     : MemoryEnds(memory),
-      BridgeBench(*end, *drives_end, [this](double now) { bus.advance(now); }, expected, real)
-  {
-  }
+      BridgeBench(
+          *end, *drives_end, [this](double now) { bus.advance(now); }, expected, real)
+  {}
 };
 
 }  // namespace fourwis

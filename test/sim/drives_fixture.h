@@ -46,7 +46,7 @@ protected:
         master.end().send(request);
         pass(0.003);
         const auto answer =
-          std::find_if(heard.begin(), heard.end(), [](const can::Frame& frame) { return frame.id >> 7 == 0xB; });
+            std::find_if(heard.begin(), heard.end(), [](const can::Frame& frame) { return frame.id >> 7 == 0xB; });
         ASSERT_NE(answer, heard.end()) << can::text(request);
         ASSERT_EQ(answer->data[0], 0x60) << can::text(request) << " -> " << can::text(*answer);
       }

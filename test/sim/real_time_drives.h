@@ -19,15 +19,13 @@ class RealTimeDrives
 public:
   /// `priority`: as of a can::BridgeThread.
   explicit RealTimeDrives(const std::string& bus, int priority = 0)
-    : bus_(can::open_bus(bus)), drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()),
-      thread_(
-        [this, priority]
-        {
-          if (priority > 0) can::become_real_time(priority);
-          run();
-        })
-  {
-  }
+    : bus_(can::open_bus(bus)),
+      drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()),
+      thread_([this, priority] {
+        if (priority > 0) can::become_real_time(priority);
+        run();
+      })
+  {}
   ~RealTimeDrives()
   {
     end_ = true;

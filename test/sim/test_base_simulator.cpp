@@ -75,7 +75,8 @@ std::vector<double> random_drive(unsigned commands, int seed, int parts)
   {
     if (k % 80 == 79) robot.base.inject({WheelFault::Kind::dead_drive, random.whole(0, 3)});
     const Mode mode = k % 50 == 0 ? random.mode() : robot.base.wheels().mode;
-    if (!random.chance(0.1)) robot.base.command({mode, ++robot.sequence, robot.wheels_for(mode, random.between(0.0, 1.0), 0.2)});
+    if (!random.chance(0.1))
+      robot.base.command({mode, ++robot.sequence, robot.wheels_for(mode, random.between(0.0, 1.0), 0.2)});
     for (int part = 0; part < parts; ++part) robot.base.step(SimulatedDrive::kPeriod / parts);
     const WheelState state = robot.base.wheels();
     record.insert(record.end(), {robot.base.pose().x, robot.base.pose().y, robot.base.pose().theta, state.stamp});
@@ -255,8 +256,10 @@ TEST(BaseSimulator, IsFollowedByTheOdometryOfItsWheels)
   SimulatedDrive robot({}, {});
   WheelOdometry odometry(robot.robot, {});
   double length = 0.0;
-  for (const auto& [mode, v, phi] : {std::tuple{Mode::ackermann, 0.8, 0.4}, {Mode::lateral, -0.6, 0.3},
-                                     {Mode::parallel, 0.7, -0.8}, {Mode::spin, 0.5, 0.0}})
+  for (const auto& [mode, v, phi] : {std::tuple{Mode::ackermann, 0.8, 0.4},
+                                     {Mode::lateral, -0.6, 0.3},
+                                     {Mode::parallel, 0.7, -0.8},
+                                     {Mode::spin, 0.5, 0.0}})
   {
     ASSERT_TRUE(robot.align(mode, phi));
     odometry.update(robot.base.time(), robot.base.wheels().motion);

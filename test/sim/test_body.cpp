@@ -103,8 +103,8 @@ TEST_F(BodyOnWheels, FallsBehindByTheShareThatDrivesSlip)
   for (Mode mode : {Mode::ackermann, Mode::lateral, Mode::parallel, Mode::spin})
   {
     const double phi = steering(mode);
-    expect_twist(twist_on(wheel_motion(robot, mode, 1.0, phi), kAllDriven, slip),
-                 body_twist(robot, mode, 0.97, phi), 1e-12);
+    expect_twist(twist_on(wheel_motion(robot, mode, 1.0, phi), kAllDriven, slip), body_twist(robot, mode, 0.97, phi),
+                 1e-12);
   }
 }
 

@@ -14,8 +14,7 @@ using can::Fault;
 constexpr double kCycle = 0.01;
 
 class BridgeCommands : public BridgeFixture
-{
-};
+{};
 
 TEST_F(BridgeCommands, WhatTheWheelsDoIsWhatWasCommanded)
 {
@@ -146,8 +145,7 @@ TEST_F(BridgeCommands, AnotherModeIsTakenAtStandstillOnly)
   command(Mode::lateral, 1.5, 0.5);
   bool turned_while_rolling = false, rolled_while_turned_away = false;
   double last_angle = drives.truth().angle[0];
-  const auto observe = [&]
-  {
+  const auto observe = [&] {
     const WheelMotion wheels = drives.truth();
     const bool rolls = std::abs(wheels.speed[0]) > 0.01, straight = std::abs(wheels.angle[0]) < 0.03;
     const bool there = std::abs(wheels.angle[0] - 1.5) < 0.05;

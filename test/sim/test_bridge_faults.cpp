@@ -7,8 +7,7 @@ namespace
 {
 
 class BridgeFaults : public BridgeFixture, public testing::WithParamInterface<FaultCase>
-{
-};
+{};
 
 TEST_P(BridgeFaults, StopTheBaseInTimeAndHaveTheirName)
 {

@@ -139,8 +139,7 @@ TEST_F(BridgeLink, WhenTheBridgeIsKilledTheDrivesStopWithin100Ms)
     drive();
     pass(0.013 * phase);
     bridge_alive = false;
-    const auto any_enabled = [&]
-    {
+    const auto any_enabled = [&] {
       for (int node = 1; node <= 8; ++node)
         if (drives.drive(node).power_state() == sim::PowerState::operation_enabled) return true;
       return false;
@@ -164,8 +163,7 @@ TEST_F(BridgeLink, ABridgeThatTakesTheKilledOnesPlaceMovesNothingBeforeItIsEnabl
   can::Bridge second(robot, options);
   can::BridgeConnection second_connection(second, spy);
   const double begin = now();
-  const auto ready = [&]
-  {
+  const auto ready = [&] {
     if (std::lround(now() * 1e3) % 10 == 0) second_connection.cycle(now());
     return second.report().stage == BridgeStage::ready;
   };

@@ -41,8 +41,7 @@ protected:
 TEST_F(BridgeStart, GoesThroughItsStagesInOrderAndWaitsToBeEnabled)
 {
   std::vector<BridgeStage> stages = {stage()};
-  const auto follow = [&]
-  {
+  const auto follow = [&] {
     if (stage() != stages.back()) stages.push_back(stage());
     return stage() == BridgeStage::ready;
   };
@@ -50,7 +49,7 @@ TEST_F(BridgeStart, GoesThroughItsStagesInOrderAndWaitsToBeEnabled)
   EXPECT_EQ(stages, (std::vector<BridgeStage>{BridgeStage::link_down, BridgeStage::listening, BridgeStage::boot,
                                               BridgeStage::identify, BridgeStage::configure, BridgeStage::start,
                                               BridgeStage::ready}))
-    << cause();
+      << cause();
   pass(1.0);
   EXPECT_EQ(stage(), BridgeStage::ready);
   for (int node = 1; node <= 8; ++node) EXPECT_EQ(drives.drive(node).power_state(), sim::PowerState::ready);
@@ -98,8 +97,7 @@ TEST_F(BridgeStart, ADriveThatIsNeverReady)
 {
   inject(DriveFaultKind::status_missing, 2);
   const can::Frame not_ready = can::frame_of(0x182, {0x00, 0x00, 8});
-  const auto fails = [&]
-  {
+  const auto fails = [&] {
     if (std::lround(now() * 1e3) % 10 == 5) end->inject(not_ready);
     return stage() == BridgeStage::fault;
   };

@@ -25,7 +25,7 @@ can::BridgeOptions patient()
 {
   can::BridgeOptions options;
   options.command_timeout = options.drive_watchdog = options.heartbeat_timeout = options.feedback_timeout =
-    options.following_time = 2.0;
+      options.following_time = 2.0;
   return options;
 }
 

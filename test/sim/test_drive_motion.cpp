@@ -239,11 +239,8 @@ TEST_F(DriveMotion, TheQuickStopEndsAs605ASays)
     int option;
     double deceleration;
     int moving, ended;
-  } cases[] = {{0, 0, 0x40, 0x40},
-               {1, 1e4, 0x07, 0x40},
-               {2, 2e4, 0x07, 0x40},
-               {5, 1e4, 0x07, 0x07},
-               {6, 2e4, 0x07, 0x07}};
+  } cases[] = {
+      {0, 0, 0x40, 0x40}, {1, 1e4, 0x07, 0x40}, {2, 2e4, 0x07, 0x40}, {5, 1e4, 0x07, 0x07}, {6, 2e4, 0x07, 0x07}};
   for (const auto& row : cases)
   {
     SCOPED_TRACE(row.option);

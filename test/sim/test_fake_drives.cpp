@@ -97,8 +97,7 @@ TEST_F(FakeDrivesTest, SilenceOfTheMasterIsAQuickStopWithin100Ms)
   pass(0.05 - 0.001 * static_cast<double>(ticks % 50));  // the next heartbeat would be due now
   speaks = false;
   const double silent = drives.time();
-  const auto all_stopping = [&]
-  {
+  const auto all_stopping = [&] {
     for (int node = 1; node <= 8; ++node)
       if (drives.drive(node).power_state() == PowerState::operation_enabled) return false;
     return true;

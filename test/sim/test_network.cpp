@@ -25,8 +25,7 @@ TEST(Network, ObeysTheNmtMaster)
 {
   DriveBench bench;
   bench.boot();
-  const auto after = [&](int command, int node)
-  {
+  const auto after = [&](int command, int node) {
     bench.send(raw(0x000, {command, node}));
     return bench.drive.nmt_state();
   };

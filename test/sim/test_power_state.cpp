@@ -13,8 +13,8 @@ namespace
 {
 
 constexpr std::array<PowerState, 8> kStates = {
-  PowerState::not_ready,   PowerState::switch_on_disabled, PowerState::ready,          PowerState::switched_on,
-  PowerState::operation_enabled, PowerState::quick_stop_active,  PowerState::fault_reaction, PowerState::fault};
+    PowerState::not_ready,         PowerState::switch_on_disabled, PowerState::ready,          PowerState::switched_on,
+    PowerState::operation_enabled, PowerState::quick_stop_active,  PowerState::fault_reaction, PowerState::fault};
 
 /// One letter for each state, in their order: Not ready, switch on Disabled, Ready, Switched on, Enabled, Quick stop,
 /// fault reaction (A), Fault.
@@ -48,7 +48,7 @@ TEST(PowerState, FollowsTheWholeTransitionTable)
         const bool reset = (word & 0x80) != 0 && (word & 0x400) == 0;  // rising or standing
         ASSERT_EQ(next_power_state(kStates[from], static_cast<std::uint16_t>(word), reset, holds),
                   wanted(from, word, reset, holds))
-          << to_string(kStates[from]) << ", word " << std::hex << word << (holds ? ", holds" : "");
+            << to_string(kStates[from]) << ", word " << std::hex << word << (holds ? ", holds" : "");
       }
 }
 
@@ -77,8 +77,19 @@ TEST(PowerState, WalksThroughTheStatesOverSdo)
 {
   DriveBench bench;
   bench.boot();
-  walk(bench, {{0x0F, 0x40}, {0x07, 0x40}, {0x06, 0x21}, {0x07, 0x23}, {0x0F, 0x27}, {0x07, 0x23}, {0x06, 0x21},
-               {0x0F, 0x27}, {0x06, 0x21}, {0x02, 0x40}, {0x06, 0x21}, {0x07, 0x23}, {0x00, 0x40}});
+  walk(bench, {{0x0F, 0x40},
+               {0x07, 0x40},
+               {0x06, 0x21},
+               {0x07, 0x23},
+               {0x0F, 0x27},
+               {0x07, 0x23},
+               {0x06, 0x21},
+               {0x0F, 0x27},
+               {0x06, 0x21},
+               {0x02, 0x40},
+               {0x06, 0x21},
+               {0x07, 0x23},
+               {0x00, 0x40}});
 }
 
 TEST(PowerState, ResetsAFaultOnTheRisingEdgeOnly)

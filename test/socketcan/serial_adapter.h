@@ -32,7 +32,7 @@ public:
     tcsetattr(port_, TCSANOW, &raw);
     const int slcan = 17;  // N_SLCAN of linux/tty.h
     EXPECT_EQ(ioctl(port_, TIOCSETD, &slcan), 0) << "no slcan in this kernel";
-    ifreq interface{};
+    ifreq interface {};
     EXPECT_EQ(ioctl(port_, SIOCGIFNAME, interface.ifr_name), 0);
     const std::string name = interface.ifr_name;
     // The kernel makes it in the first network namespace, whichever this one is.

@@ -128,8 +128,7 @@ TEST_F(BridgeOnVcan, RecoversFromBusOff)
 }
 
 class FaultsOnVcan : public BridgeOnVcan, public testing::WithParamInterface<FaultCase>
-{
-};
+{};
 
 TEST_P(FaultsOnVcan, StopTheBaseInTimeAndHaveTheirName)
 {

@@ -16,13 +16,13 @@ struct Sample
 };
 
 const std::array<Sample, 7> kSamples{{
-  {{0x000, false, false, false, 2, {0x01, 0x00}}, "000#0100"},
-  {{0x080, false, false, false, 0, {}}, "080#"},
-  {{0x201, false, false, false, 7, {0x0f, 0, 8, 0x12, 0x34, 0x56, 0x78}}, "201#0F000812345678"},
-  {{0x7ff, false, false, false, 8, {1, 2, 3, 4, 5, 6, 7, 255}}, "7FF#01020304050607FF"},
-  {{0x123, true, false, false, 1, {0xab}}, "00000123#AB"},
-  {{0x1fffffff, true, false, false, 1, {0xab}}, "1FFFFFFF#AB"},
-  {{0x701, false, true, false, 0, {}}, "701#R"},
+    {{0x000, false, false, false, 2, {0x01, 0x00}}, "000#0100"},
+    {{0x080, false, false, false, 0, {}}, "080#"},
+    {{0x201, false, false, false, 7, {0x0f, 0, 8, 0x12, 0x34, 0x56, 0x78}}, "201#0F000812345678"},
+    {{0x7ff, false, false, false, 8, {1, 2, 3, 4, 5, 6, 7, 255}}, "7FF#01020304050607FF"},
+    {{0x123, true, false, false, 1, {0xab}}, "00000123#AB"},
+    {{0x1fffffff, true, false, false, 1, {0xab}}, "1FFFFFFF#AB"},
+    {{0x701, false, true, false, 0, {}}, "701#R"},
 }};
 
 TEST(Candump, ShowsWhatIsSent)

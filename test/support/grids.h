@@ -32,8 +32,8 @@ inline OccupancyGrid free_area(double length, double width, double resolution, c
 
 inline std::int8_t& cell(OccupancyGrid& grid, int column, int row)
 {
-  return grid.data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
-                   static_cast<std::size_t>(column)];
+  return grid
+      .data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(column)];
 }
 
 /// Occupies the cells from (column, row) on, as far as they lie in the grid.
@@ -91,9 +91,11 @@ inline Pose free_pose(Random& random, const CollisionChecker& checker)
 struct Site
 {
   explicit Site(const OccupancyGrid& occupancy, const Robot& the_robot = {})
-    : grid(occupancy), robot(the_robot), map(grid), checker(map, robot)
-  {
-  }
+    : grid(occupancy),
+      robot(the_robot),
+      map(grid),
+      checker(map, robot)
+  {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 

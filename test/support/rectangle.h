@@ -17,7 +17,9 @@ class ExactRectangle
 {
 public:
   ExactRectangle(const OccupancyGrid& grid, const Robot& robot, const ObstacleRule& rule = {})
-    : grid_(grid), half_length_(robot.length / 2.0), half_width_(robot.width / 2.0)
+    : grid_(grid),
+      half_length_(robot.length / 2.0),
+      half_width_(robot.width / 2.0)
   {
     for (int row = 0; row < grid.height; ++row)
       for (int column = 0; column < grid.width; ++column)

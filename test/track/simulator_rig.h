@@ -30,7 +30,7 @@ public:
       output = tracker.step({base.time(), base.time(), base.pose(), base.wheels()});
       message = std::string(output.message);
       const bool resting =
-        output.state == TrackState::idle || output.state == TrackState::arrived || output.state == TrackState::failed;
+          output.state == TrackState::idle || output.state == TrackState::arrived || output.state == TrackState::failed;
       if (busy && resting) return;
       busy |= !resting;
       if (each_step) each_step();

@@ -28,9 +28,9 @@ TEST(CheckTrajectory, WhatThePlannerMakesIsAccepted)
       pieces.push_back({mode, random.steering(robot, mode), random.between(-2.0, 2.0)});
     }
     EXPECT_EQ(check_trajectory(robot, trajectory_of(robot, random.pose(5.0), pieces)), "")
-      << "seed " << kSeed << ", trial " << trial;
+        << "seed " << kSeed << ", trial " << trial;
     EXPECT_EQ(check_trajectory(robot, random_stretch(random, robot, random.mode())), "")
-      << "seed " << kSeed << ", trial " << trial;
+        << "seed " << kSeed << ", trial " << trial;
   }
 }
 
@@ -42,40 +42,36 @@ TEST(CheckTrajectory, WhatCannotBeDrivenIsRefusedByPointAndReason)
     std::function<void(Trajectory&)> spoil;
   };
   const std::vector<Case> cases = {
-    {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].x = NAN; }},
-    {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].theta = INFINITY; }},
-    {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].v = NAN; }},
-    {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].phi = -INFINITY; }},
-    {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].t = NAN; }},
-    {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode::none; }},
-    {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode::spin; }},
-    {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode(99); }},
-    {"point 4: its time is not later than the one before", [](Trajectory& t) { t[4].t = t[3].t; }},
-    {"point 4: it lies more than an hour ahead",
-     [](Trajectory& t)
-     {
-       for (std::size_t k = 4; k < t.size(); ++k) t[k].t += 4000.0;
-     }},
-    {"point 4: faster than max_speed", [](Trajectory& t) { t[4].v = 1.01; }},
-    {"point 4: steers more than the robot can", [](Trajectory& t) { t[4].phi = 0.6; }},
-    {"point 0: is not at rest", [](Trajectory& t) { t[0].v = 0.1; }},
-    {": is not at rest", [](Trajectory& t) { t.back().v = 0.1; }},
-    {"point 4: is not at rest at a switch",
-     [](Trajectory& t)
-     {
-       for (std::size_t k = 0; k <= 4; ++k) t[k].mode = Mode::parallel;
-     }},
-    {"accelerates more than max_acceleration", [](Trajectory& t) { t[4].v = 0.2; }},
-    {"point 4: its motion misses the next point",
-     [](Trajectory& t)
-     {
-       for (std::size_t k = 5; k < t.size(); ++k) t[k].y += 0.006;
-     }},
-    {"point 4: its motion misses the next heading",
-     [](Trajectory& t)
-     {
-       for (std::size_t k = 5; k < t.size(); ++k) t[k].theta += 0.011;
-     }},
+      {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].x = NAN; }},
+      {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].theta = INFINITY; }},
+      {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].v = NAN; }},
+      {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].phi = -INFINITY; }},
+      {"point 3: holds something that is no finite number", [](Trajectory& t) { t[3].t = NAN; }},
+      {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode::none; }},
+      {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode::spin; }},
+      {"point 2: its mode is not known", [](Trajectory& t) { t[2].mode = Mode(99); }},
+      {"point 4: its time is not later than the one before", [](Trajectory& t) { t[4].t = t[3].t; }},
+      {"point 4: it lies more than an hour ahead",
+       [](Trajectory& t) {
+         for (std::size_t k = 4; k < t.size(); ++k) t[k].t += 4000.0;
+       }},
+      {"point 4: faster than max_speed", [](Trajectory& t) { t[4].v = 1.01; }},
+      {"point 4: steers more than the robot can", [](Trajectory& t) { t[4].phi = 0.6; }},
+      {"point 0: is not at rest", [](Trajectory& t) { t[0].v = 0.1; }},
+      {": is not at rest", [](Trajectory& t) { t.back().v = 0.1; }},
+      {"point 4: is not at rest at a switch",
+       [](Trajectory& t) {
+         for (std::size_t k = 0; k <= 4; ++k) t[k].mode = Mode::parallel;
+       }},
+      {"accelerates more than max_acceleration", [](Trajectory& t) { t[4].v = 0.2; }},
+      {"point 4: its motion misses the next point",
+       [](Trajectory& t) {
+         for (std::size_t k = 5; k < t.size(); ++k) t[k].y += 0.006;
+       }},
+      {"point 4: its motion misses the next heading",
+       [](Trajectory& t) {
+         for (std::size_t k = 5; k < t.size(); ++k) t[k].theta += 0.011;
+       }},
   };
   const Robot robot;
   const Trajectory good = trajectory_of(robot, {}, {{Mode::ackermann, 0.0, 2.0}});

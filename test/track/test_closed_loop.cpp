@@ -63,7 +63,7 @@ TEST(ClosedLoop, EnvironmentsAreDrivenAsPlanned)
     const Robot robot;
     const PlannerOptions options;
     const PlanResult plan =
-      Planner(robot, options).plan(World(grid, robot, options), {environment.start, environment.goal, {}});
+        Planner(robot, options).plan(World(grid, robot, options), {environment.start, environment.goal, {}});
     ASSERT_EQ(plan.status, PlanStatus::succeeded) << plan.message;
 
     const ExactRectangle footprint(grid, robot);
@@ -72,15 +72,13 @@ TEST(ClosedLoop, EnvironmentsAreDrivenAsPlanned)
     Errors lateral, longitudinal;
     double driving = 0.0;
     bool collided = false;
-    rig.run(2.0 * plan.trajectory.back().t + 10.0,
-            [&]
-            {
-              collided |= footprint.collides(rig.base.pose());
-              if (rig.output.state != TrackState::driving) return;
-              lateral.add(rig.output.lateral_error);
-              longitudinal.add(rig.output.longitudinal_error);
-              driving += 0.02;
-            });
+    rig.run(2.0 * plan.trajectory.back().t + 10.0, [&] {
+      collided |= footprint.collides(rig.base.pose());
+      if (rig.output.state != TrackState::driving) return;
+      lateral.add(rig.output.lateral_error);
+      longitudinal.add(rig.output.longitudinal_error);
+      driving += 0.02;
+    });
     EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
     EXPECT_FALSE(collided);
     EXPECT_LE(lateral.sum / lateral.count, 0.005);

@@ -1,7 +1,7 @@
 #include "../../src/track/mpc.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "random_stretch.h"
 
@@ -31,7 +31,7 @@ struct Scene
   {
     state = reference.at(t).state;
     state.pose =
-      compose(state.pose, {random.between(-size, size), random.between(-size, size), random.between(-size, size)});
+        compose(state.pose, {random.between(-size, size), random.between(-size, size), random.between(-size, size)});
     state.v += random.between(-size, size);
     state.phi += random.between(-size, size);
   }
@@ -111,8 +111,7 @@ TEST(Mpc, WhereNoBoundIsActiveItIsTheLeastSquaresSolution)
     const std::vector<ErrorInput> zero(mpc.solution().controls.size(), ErrorInput::Zero());
     // The cost is quadratic: its gradient and Hessian come exactly from values at unit inputs.
     const int n = 2 * static_cast<int>(zero.size());
-    const auto at = [&](int i, int j)
-    {
+    const auto at = [&](int i, int j) {
       std::vector<ErrorInput> inputs = zero;
       if (i >= 0) inputs[static_cast<std::size_t>(i / 2)][i % 2] += 1.0;
       if (j >= 0) inputs[static_cast<std::size_t>(j / 2)][j % 2] += 1.0;

@@ -50,8 +50,8 @@ TEST(Replay, WhatATrackerAnswersDoesNotDependOnWhatItDidBefore)
   live(tracker, base, 237, life);
   const std::size_t begin = life.inputs.size();
   live(tracker, base, 3, life);
-  const Trajectory second =
-    trajectory_of(robot, base.pose(), {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}});
+  const Trajectory second = trajectory_of(
+      robot, base.pose(), {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}});
   ASSERT_EQ(tracker.accept(second), "");
   live(tracker, base, 600, life);
 

@@ -22,18 +22,16 @@ struct Errors
 Errors drive(Rig& rig)
 {
   Errors errors;
-  rig.step_until(
-    [&]
+  rig.step_until([&] {
+    if (rig.output.state == TrackState::driving)
     {
-      if (rig.output.state == TrackState::driving)
-      {
-        errors.lateral = std::max(errors.lateral, std::abs(rig.output.lateral_error));
-        errors.longitudinal = std::max(errors.longitudinal, std::abs(rig.output.longitudinal_error));
-        errors.heading = std::max(errors.heading, std::abs(rig.output.heading_error));
-        errors.all.push_back(rig.output.lateral_error);
-      }
-      return is_resting(rig.output.state);
-    });
+      errors.lateral = std::max(errors.lateral, std::abs(rig.output.lateral_error));
+      errors.longitudinal = std::max(errors.longitudinal, std::abs(rig.output.longitudinal_error));
+      errors.heading = std::max(errors.heading, std::abs(rig.output.heading_error));
+      errors.all.push_back(rig.output.lateral_error);
+    }
+    return is_resting(rig.output.state);
+  });
   return errors;
 }
 
@@ -168,8 +166,8 @@ TEST(Tracker, TheSameCallsGiveTheSameAnswers)
   Rig one({0.01, 0.02, 0.03}), two({0.01, 0.02, 0.03});
   for (Rig* rig : {&one, &two})
     ASSERT_EQ(
-      rig->tracker.accept(trajectory_of(rig->robot, {}, {{Mode::ackermann, 0.2, 1.0}, {Mode::parallel, 1.0, 1.0}})),
-      "");
+        rig->tracker.accept(trajectory_of(rig->robot, {}, {{Mode::ackermann, 0.2, 1.0}, {Mode::parallel, 1.0, 1.0}})),
+        "");
   for (int k = 0; k < 300; ++k)
   {
     const WheelCommand a = one.step().command, b = two.step().command;

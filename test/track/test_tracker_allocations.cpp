@@ -17,7 +17,7 @@ TEST(TrackerAllocations, AWholeDriveHasNone)
   Tracker tracker(robot, ideal_options());
   // A stop, a switch, a correction, a failure: everything a step may come to.
   const Trajectory trajectory =
-    trajectory_of(robot, {}, {{Mode::ackermann, 0.2, 1.5}, {Mode::lateral, 0.1, 1.0}, {Mode::parallel, 0.5, 1.0}});
+      trajectory_of(robot, {}, {{Mode::ackermann, 0.2, 1.5}, {Mode::lateral, 0.1, 1.0}, {Mode::parallel, 0.5, 1.0}});
   ASSERT_EQ(tracker.accept(trajectory), "");
   int states[6] = {};
   const long before = allocations;

@@ -45,11 +45,11 @@ TEST(TrackerSequence, TurnsWheelsAtRestAndDrivesOnceTheyAreAligned)
 TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
 {
   const std::vector<std::function<void(TrackInput&)>> lies = {
-    [](TrackInput& input) { input.wheels.mode = Mode::ackermann; },
-    [](TrackInput& input) { input.wheels.sequence = 0; },      // from before
-    [](TrackInput& input) { input.wheels.sequence += 1000; },  // of another controller
-    [](TrackInput& input) { input.wheels.sequence = 0xfffffff0u; },
-    [](TrackInput& input) { input.wheels.aligned = false; },
+      [](TrackInput& input) { input.wheels.mode = Mode::ackermann; },
+      [](TrackInput& input) { input.wheels.sequence = 0; },      // from before
+      [](TrackInput& input) { input.wheels.sequence += 1000; },  // of another controller
+      [](TrackInput& input) { input.wheels.sequence = 0xfffffff0u; },
+      [](TrackInput& input) { input.wheels.aligned = false; },
   };
   for (std::size_t i = 0; i < lies.size(); ++i)
   {
@@ -57,8 +57,7 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
     Rig rig;
     for (int k = 0; k < 10; ++k) rig.step();
     ASSERT_EQ(rig.tracker.accept(sideways(rig.robot)), "");
-    rig.tamper = [&](TrackInput& input)
-    {
+    rig.tamper = [&](TrackInput& input) {
       input.wheels.aligned = true;
       lies[i](input);
     };
@@ -75,8 +74,7 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
 /// The rig's clock, `seconds` later.
 std::function<void(TrackInput&)> later(double seconds)
 {
-  return [seconds](TrackInput& input)
-  {
+  return [seconds](TrackInput& input) {
     for (double* time : {&input.now, &input.pose_stamp, &input.wheels.stamp}) *time += seconds;
   };
 }
@@ -113,12 +111,10 @@ TEST(TrackerSequence, ANewTrajectoryWhileDrivingStopsFirst)
   const Trajectory next = sideways(rig.robot, rest);
   ASSERT_EQ(rig.tracker.accept(next), "");
   std::set<TrackState> seen;
-  rig.step_until(
-    [&]
-    {
-      seen.insert(rig.output.state);
-      return is_resting(rig.output.state) && rig.output.state != TrackState::idle;
-    });
+  rig.step_until([&] {
+    seen.insert(rig.output.state);
+    return is_resting(rig.output.state) && rig.output.state != TrackState::idle;
+  });
   EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
   EXPECT_TRUE(seen.count(TrackState::stopping));
   EXPECT_LT(distance(rig.base.pose(), next.back().pose()), 0.01);
@@ -167,26 +163,24 @@ TEST(TrackerSequence, WhereATrajectoryBeginsIsJudgedOnceTheRobotRests)
 TEST(TrackerSequence, WhereItIsOnTheTrajectoryNeverGoesBack)
 {
   Rig rig;
-  const Trajectory trajectory =
-    trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}, {Mode::ackermann, 0.0, 1.0}});
+  const Trajectory trajectory = trajectory_of(
+      rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}, {Mode::ackermann, 0.0, 1.0}});
   ASSERT_EQ(rig.tracker.accept(trajectory), "");
   bool pushed = false;
   double before = 0.0;
   std::set<double> while_aligning;
-  rig.step_until(
-    [&]
+  rig.step_until([&] {
+    if (is_resting(rig.output.state)) return rig.output.state != TrackState::idle;
+    EXPECT_GE(rig.output.t, before);
+    before = rig.output.t;
+    if (rig.output.state == TrackState::aligning) while_aligning.insert(rig.output.t);
+    if (!pushed && rig.output.t > trajectory.back().t - 0.05)
     {
-      if (is_resting(rig.output.state)) return rig.output.state != TrackState::idle;
-      EXPECT_GE(rig.output.t, before);
-      before = rig.output.t;
-      if (rig.output.state == TrackState::aligning) while_aligning.insert(rig.output.t);
-      if (!pushed && rig.output.t > trajectory.back().t - 0.05)
-      {
-        rig.base.push(compose(rig.base.pose(), {0.0, 0.03, 0.0}));
-        pushed = true;
-      }
-      return false;
-    });
+      rig.base.push(compose(rig.base.pose(), {0.0, 0.03, 0.0}));
+      pushed = true;
+    }
+    return false;
+  });
   EXPECT_EQ(rig.output.state, TrackState::arrived) << rig.message;
   EXPECT_EQ(while_aligning.size(), 4u) << "the three stretches' beginnings, and the end for the correction";
 }
@@ -197,7 +191,7 @@ TEST(TrackerSequence, AStopKeepsWhereItWasOnTheTrajectory)
   {
     Rig rig;
     ASSERT_EQ(
-      rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}})), "");
+        rig.tracker.accept(trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 1.0}, {Mode::lateral, 0.0, 1.0}})), "");
     ASSERT_TRUE(rig.step_until([&] { return rig.output.t > 1.0 && rig.output.state == when; }));
     const double t = rig.output.t;
     rig.tracker.stop();

@@ -24,23 +24,24 @@ struct Failure
 std::vector<Failure> unusable_inputs()
 {
   return {
-    {"the robot's pose is not known", [](TrackInput& input) { input.pose.x = kNaN; }},
-    {"the robot's pose is not known", [](TrackInput& input) { input.pose_stamp = kNaN; }},
-    {"the time is no number", [](TrackInput& input) { input.now = kNaN; }},
-    {"the wheels' state holds something that is no number",
-     [](TrackInput& input) { input.wheels.motion.speed[2] = kNaN; }},
-    {"the wheels' state holds something that is no number", [](TrackInput& input) { input.wheels.stamp = INFINITY; }},
-    {"the pose is 0.500 s old, pose_timeout is 0.100 s", [](TrackInput& input) { input.pose_stamp = input.now - 0.5; }},
-    {"the pose's stamp lies 0.500 s ahead", [](TrackInput& input) { input.pose_stamp = input.now + 0.5; }},
-    {"the wheels' state is 0.500 s old, wheel_state_timeout is 0.100 s",
-     [](TrackInput& input) { input.wheels.stamp = input.now - 0.5; }},
-    {"the stamp of the wheels' state lies 0.500 s ahead",
-     [](TrackInput& input) { input.wheels.stamp = input.now + 0.5; }},
-    {"the base is not ready", [](TrackInput& input) { input.wheels.state = BaseState::not_ready; }},
-    {"the base is not enabled", [](TrackInput& input) { input.wheels.state = BaseState::ready; }},
-    {"the base stops by itself", [](TrackInput& input) { input.wheels.state = BaseState::stopping; }},
-    {"the base has a fault", [](TrackInput& input) { input.wheels.state = BaseState::fault; }},
-    {"the base's state is unknown", [](TrackInput& input) { input.wheels.state = BaseState(77); }},
+      {"the robot's pose is not known", [](TrackInput& input) { input.pose.x = kNaN; }},
+      {"the robot's pose is not known", [](TrackInput& input) { input.pose_stamp = kNaN; }},
+      {"the time is no number", [](TrackInput& input) { input.now = kNaN; }},
+      {"the wheels' state holds something that is no number",
+       [](TrackInput& input) { input.wheels.motion.speed[2] = kNaN; }},
+      {"the wheels' state holds something that is no number", [](TrackInput& input) { input.wheels.stamp = INFINITY; }},
+      {"the pose is 0.500 s old, pose_timeout is 0.100 s",
+       [](TrackInput& input) { input.pose_stamp = input.now - 0.5; }},
+      {"the pose's stamp lies 0.500 s ahead", [](TrackInput& input) { input.pose_stamp = input.now + 0.5; }},
+      {"the wheels' state is 0.500 s old, wheel_state_timeout is 0.100 s",
+       [](TrackInput& input) { input.wheels.stamp = input.now - 0.5; }},
+      {"the stamp of the wheels' state lies 0.500 s ahead",
+       [](TrackInput& input) { input.wheels.stamp = input.now + 0.5; }},
+      {"the base is not ready", [](TrackInput& input) { input.wheels.state = BaseState::not_ready; }},
+      {"the base is not enabled", [](TrackInput& input) { input.wheels.state = BaseState::ready; }},
+      {"the base stops by itself", [](TrackInput& input) { input.wheels.state = BaseState::stopping; }},
+      {"the base has a fault", [](TrackInput& input) { input.wheels.state = BaseState::fault; }},
+      {"the base's state is unknown", [](TrackInput& input) { input.wheels.state = BaseState(77); }},
   };
 }
 
@@ -48,16 +49,16 @@ std::vector<Failure> unusable_inputs()
 std::vector<Failure> deviations()
 {
   return {
-    {"the robot is 0.2",
-     [](TrackInput& input) {
-       input.pose = compose(input.pose, {0.0, 0.2, 0.0});
-     }},
-    {"from where it should be on the trajectory",
-     [](TrackInput& input) {
-       input.pose = compose(input.pose, {-0.5, 0.0, 0.0});
-     }},
-    {"the robot's heading is off by 0.4", [](TrackInput& input) { input.pose.theta += 0.4; }},
-    {"the rear left wheel is ", [](TrackInput& input) { input.wheels.motion.angle[2] += 0.5; }},
+      {"the robot is 0.2",
+       [](TrackInput& input) {
+         input.pose = compose(input.pose, {0.0, 0.2, 0.0});
+       }},
+      {"from where it should be on the trajectory",
+       [](TrackInput& input) {
+         input.pose = compose(input.pose, {-0.5, 0.0, 0.0});
+       }},
+      {"the robot's heading is off by 0.4", [](TrackInput& input) { input.pose.theta += 0.4; }},
+      {"the rear left wheel is ", [](TrackInput& input) { input.wheels.motion.angle[2] += 0.5; }},
   };
 }
 

@@ -11,7 +11,7 @@ namespace
 {
 
 const std::vector<Piece> kSlalom = {
-  {Mode::ackermann, 0.4, 1.0}, {Mode::ackermann, -0.4, 1.0}, {Mode::ackermann, 0.0, 3.0}};
+    {Mode::ackermann, 0.4, 1.0}, {Mode::ackermann, -0.4, 1.0}, {Mode::ackermann, 0.0, 3.0}};
 
 /// Breaks a wheel at a moment of the drive; what came of it, and how far the robot got from its path.
 struct Outcome
@@ -28,15 +28,13 @@ Outcome outcome_of(WheelFault::Kind kind, int wheel, double moment)
   EXPECT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, kSlalom)), "");
   Outcome outcome = {};
   bool broken = false;
-  rig.run(60.0,
-          [&]
-          {
-            if (rig.output.state == TrackState::driving)
-              outcome.worst_lateral = std::max(outcome.worst_lateral, std::abs(rig.output.lateral_error));
-            if (broken || rig.output.t < moment) return;
-            rig.base.inject({kind, wheel});
-            broken = true;
-          });
+  rig.run(60.0, [&] {
+    if (rig.output.state == TrackState::driving)
+      outcome.worst_lateral = std::max(outcome.worst_lateral, std::abs(rig.output.lateral_error));
+    if (broken || rig.output.t < moment) return;
+    rig.base.inject({kind, wheel});
+    broken = true;
+  });
   outcome.state = rig.output.state;
   outcome.message = rig.message;
   rig.base.step(1.0);

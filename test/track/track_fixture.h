@@ -56,8 +56,7 @@ public:
     : base(robot, start),
       tracker(robot, options),
       period(1.0 / options.controller_frequency)
-  {
-  }
+  {}
 
   /// One control step.
   const TrackOutput& step()

@@ -206,8 +206,7 @@ TEST_F(Kinematics, MovingWithAnyTwistIsTheLimitOfSmallSteps)
     constexpr int kSteps = 20000;
     const double duration = random.between(0.0, 2.0), dt = duration / kSteps;
     Pose pose = start;
-    for (int i = 0; i < kSteps; ++i)
-      pose = compose(pose, {twist.vx * dt, twist.vy * dt, twist.omega * dt});
+    for (int i = 0; i < kSteps; ++i) pose = compose(pose, {twist.vx * dt, twist.vy * dt, twist.omega * dt});
     const Pose moved = move(start, twist, duration);
     EXPECT_LT(distance(moved, pose), 1e-3);
     EXPECT_NEAR(moved.theta, pose.theta, kAccuracy);

@@ -45,9 +45,8 @@ double least_turn(const Robot& robot, const SteeringStretch& stretch, std::size_
   {
     const double first = wheel_motion(robot, stretch.mode, 1.0, stretch.start).angle[wheel] + k * M_PI;
     const std::vector<double> angles = followed(robot, stretch, wheel, first);
-    const bool within = std::all_of(angles.begin(), angles.end(), [&](double angle) {
-      return std::abs(angle) <= robot.wheel_max_angle + 1e-9;
-    });
+    const bool within = std::all_of(angles.begin(), angles.end(),
+                                    [&](double angle) { return std::abs(angle) <= robot.wheel_max_angle + 1e-9; });
     if (within) least = std::min(least, std::abs(first - measured));
   }
   return least;
@@ -149,8 +148,8 @@ TEST_F(Branches, ContinuedAreTheSameMotionNearestToThePreviousAngles)
 
 TEST_F(Branches, ContinuedBeyondTheTravelAreRefusedByWheelAndAngle)
 {
-  const BranchedMotion next = continue_branches(robot, {{0.0, 0.0, 170.0 * kDegree, 0.0}, {}},
-                                                {0.0, 0.0, 159.0 * kDegree, 0.0});
+  const BranchedMotion next =
+      continue_branches(robot, {{0.0, 0.0, 170.0 * kDegree, 0.0}, {}}, {0.0, 0.0, 159.0 * kDegree, 0.0});
   ASSERT_TRUE(next.beyond);
   EXPECT_EQ(next.beyond->wheel, 2);
   EXPECT_NEAR(next.beyond->angle, 170.0 * kDegree, 1e-9);

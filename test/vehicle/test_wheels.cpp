@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "fourwis_navigation/vehicle/kinematics.h"
 #include "../support/random.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
 {

@@ -38,9 +38,9 @@ struct AxisReport
   NmtState node = NmtState::boot_up;
   DriveState drive = DriveState::unknown;
   std::uint16_t statusword = 0;
-  std::uint16_t emergency = 0;  ///< code of the last emergency message
-  double position = 0.0;        ///< [rad], driving: rolled since the start [m]
-  double speed = 0.0;           ///< [rad/s or m/s]
+  std::uint16_t emergency = 0;                                    ///< code of the last emergency message
+  double position = 0.0;                                          ///< [rad], driving: rolled since the start [m]
+  double speed = 0.0;                                             ///< [rad/s or m/s]
   double voltage = std::numeric_limits<double>::quiet_NaN();      ///< of the supply; NaN where it is not known [V]
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< likewise [deg C]
 };

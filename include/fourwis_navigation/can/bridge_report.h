@@ -11,18 +11,18 @@ namespace fourwis::can
 /// What the bridge is doing; drawn in doc/can_bridge.md.
 enum class BridgeStage : std::uint8_t
 {
-  link_down,   ///< no bus
+  link_down,  ///< no bus
   listening,
   boot,
   identify,
   configure,
   start,
   home,
-  ready,       ///< could be enabled
+  ready,  ///< could be enabled
   enabling,
-  enabled,     ///< follows commands
-  stopping,    ///< comes to rest, then disables the drives
-  fault        ///< stopped or stopping; needs ~clear_faults
+  enabled,   ///< follows commands
+  stopping,  ///< comes to rest, then disables the drives
+  fault      ///< stopped or stopping; needs ~clear_faults
 };
 
 const char* to_string(BridgeStage stage);
@@ -31,7 +31,7 @@ const char* to_string(BridgeStage stage);
 struct BridgeReport
 {
   BridgeStage stage = BridgeStage::link_down;
-  FaultRecord cause;  ///< why it does not drive
+  FaultRecord cause;                                 ///< why it does not drive
   std::array<FaultRecord, FaultLog::kKept> history;  ///< newest first
   bool emergency_stop = false;
   bool out_of_operation = true;  ///< no drive follows

@@ -19,10 +19,10 @@ struct BridgeUpdate
   BridgeReport report;
   BusCounters bus;
   std::array<char, 128> bus_error{};  ///< what the bus says while it is down, for a person
-  DelayStatistics delays;        ///< from command() until the bus has taken its frames
+  DelayStatistics delays;             ///< from command() until the bus has taken its frames
   std::uint64_t cycles = 0;
-  std::uint64_t overruns = 0;    ///< cycles that were left out because the thread was not given the time
-  double latest_cycle = 0.0;     ///< the greatest delay of a cycle's beginning so far [s]
+  std::uint64_t overruns = 0;  ///< cycles that were left out because the thread was not given the time
+  double latest_cycle = 0.0;   ///< the greatest delay of a cycle's beginning so far [s]
 };
 
 /// Runs a bridge on a bus in a thread of its own, which shares nothing with others that could make it wait.
@@ -41,7 +41,7 @@ public:
 
   // From one thread at a time; none of them waits.
   void command(const WheelCommand& command, double age = 0.0);  ///< `age`: since it was made [s]
-  void press_emergency_stop(bool pressed);  ///< each press stops the base, however short it is
+  void press_emergency_stop(bool pressed);                      ///< each press stops the base, however short it is
 
   // What a person asks for, from any thread: waits for the bridge's answer, empty when it is accepted.
   std::string enable();

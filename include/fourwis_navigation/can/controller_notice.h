@@ -12,12 +12,12 @@ namespace fourwis::can
 struct ControllerNotice
 {
   bool bus_off = false;
-  bool restarted = false;       ///< the controller is on the bus again
+  bool restarted = false;  ///< the controller is on the bus again
   bool transmit_timeout = false;
   bool no_acknowledge = false;  ///< nobody else is on the bus
   bool warning = false;
-  bool passive = false;         ///< error-passive: many errors, still working
-  bool active = false;          ///< back to normal
+  bool passive = false;  ///< error-passive: many errors, still working
+  bool active = false;   ///< back to normal
   bool receive_overflow = false;
   bool transmit_overflow = false;
   std::uint8_t transmit_errors = 0;  ///< the controller's own counters, 0 where it does not say

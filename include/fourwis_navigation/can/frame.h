@@ -9,11 +9,11 @@ namespace fourwis::can
 /// A classic CAN frame, as it is on the bus.
 struct Frame
 {
-  std::uint32_t id = 0;     ///< 11 bits, or 29 where `extended`; of an error frame: the class bits of linux/can/error.h
+  std::uint32_t id = 0;  ///< 11 bits, or 29 where `extended`; of an error frame: the class bits of linux/can/error.h
   bool extended = false;
-  bool remote = false;      ///< asks for data and carries none
-  bool error = false;       ///< not a frame of the bus but what the controller says of it
-  std::uint8_t size = 0;    ///< bytes of data, 0 to 8
+  bool remote = false;    ///< asks for data and carries none
+  bool error = false;     ///< not a frame of the bus but what the controller says of it
+  std::uint8_t size = 0;  ///< bytes of data, 0 to 8
   std::array<std::uint8_t, 8> data{};
 
   friend bool operator==(const Frame& a, const Frame& b)
@@ -36,6 +36,6 @@ inline bool is_valid(const Frame& frame)
 
 /// What a bus says of anything else.
 constexpr char kNoFrame[] =
-  "not a frame: more than 8 bytes, an id of too many bits, or an error frame that is remote or extended";
+    "not a frame: more than 8 bytes, an id of too many bits, or an error frame that is remote or extended";
 
 }  // namespace fourwis::can

@@ -15,8 +15,8 @@ namespace fourwis::can
 
 struct MemoryBusOptions
 {
-  double bit_rate = 0.0;              ///< [bit/s]; 0: a frame arrives when it is sent
-  std::size_t transmit_queue = 12;    ///< frames an end may have waiting: as SocketCAN with the smallest send buffer
+  double bit_rate = 0.0;             ///< [bit/s]; 0: a frame arrives when it is sent
+  std::size_t transmit_queue = 12;   ///< frames an end may have waiting: as SocketCAN with the smallest send buffer
   std::size_t receive_queue = 4096;  ///< frames that wait to be read, before more are dropped
 };
 
@@ -96,7 +96,7 @@ private:
   boost::circular_buffer<Frame> received_;
   BusCounters counters_;
   Link link_ = Link::up;
-  bool broken_ = false;  ///< has been down since the last recover()
+  bool broken_ = false;    ///< has been down since the last recover()
   bool no_frame_ = false;  ///< what was to be sent last
   bool full_ = false;
   bool bus_off_ = false;

@@ -25,15 +25,15 @@ enum class RangerMode : std::uint8_t
 /// Messages 111 and 221. Saturated to 16 bits of thousandths.
 struct RangerMotion
 {
-  double speed = 0.0;    ///< forward [m/s]
-  double yaw = 0.0;      ///< [rad/s]
-  double lateral = 0.0;  ///< to the left [m/s]
-  double steering = 0.0; ///< in dual-Ackermann mode of the inner wheel [rad]
+  double speed = 0.0;     ///< forward [m/s]
+  double yaw = 0.0;       ///< [rad/s]
+  double lateral = 0.0;   ///< to the left [m/s]
+  double steering = 0.0;  ///< in dual-Ackermann mode of the inner wheel [rad]
 };
 
 Frame encode_ranger_motion(const RangerMotion& motion);
 Frame encode_ranger_mode(RangerMode mode);
-Frame encode_ranger_can_control();   ///< the base listens to the bus, not to its remote control
+Frame encode_ranger_can_control();  ///< the base listens to the bus, not to its remote control
 Frame encode_ranger_clear_errors();
 
 /// Message 211, ten times a second.

@@ -15,9 +15,9 @@ public:
   Interrupt() = default;
   /// `cancelled` (may be null) is watched, not owned; `deadline` is a wall-clock limit.
   explicit Interrupt(const std::atomic<bool>* cancelled, Clock::time_point deadline = Clock::time_point::max())
-    : cancelled_(cancelled), deadline_(deadline)
-  {
-  }
+    : cancelled_(cancelled),
+      deadline_(deadline)
+  {}
 
   /// The same, and a deadline `seconds` from now if that is earlier.
   Interrupt or_after(double seconds) const
@@ -25,7 +25,8 @@ public:
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> left = deadline_ - now;
     if (left.count() <= seconds) return *this;
-    return Interrupt(cancelled_, now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+    return Interrupt(cancelled_,
+                     now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
   }
 
   bool cancelled() const { return cancelled_ && cancelled_->load(std::memory_order_relaxed); }

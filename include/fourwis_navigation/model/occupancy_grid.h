@@ -12,10 +12,10 @@ namespace fourwis
 /// What nav_msgs/OccupancyGrid says, without ROS: row-major from the corner at `origin`, row 0 lowest in y.
 struct OccupancyGrid
 {
-  int width = 0;            ///< cells along the grid's x axis
-  int height = 0;           ///< cells along the grid's y axis
-  double resolution = 0.0;  ///< side of a cell [m]
-  Pose origin;              ///< pose in the map frame of the lower left corner of cell (0, 0)
+  int width = 0;                  ///< cells along the grid's x axis
+  int height = 0;                 ///< cells along the grid's y axis
+  double resolution = 0.0;        ///< side of a cell [m]
+  Pose origin;                    ///< pose in the map frame of the lower left corner of cell (0, 0)
   std::vector<std::int8_t> data;  ///< 0..100 chance of being occupied in percent, anything else unknown; width * height
 
   std::int8_t at(int column, int row) const

@@ -49,39 +49,40 @@ struct PlanRequest
   Pose start;
   Pose goal;
   ModeSet modes;
-  bool frontend_only = false;  ///< no optimisation: the front end's path, driven with stops wherever the steering changes
+  bool frontend_only =
+      false;  ///< no optimisation: the front end's path, driven with stops wherever the steering changes
 };
 
 /// The paper's section V-A.2, and where the time went. Metrics of the trajectory are those of the one
 /// refused where the status is verification_failed, and zero where there was none.
 struct PlanMetrics
 {
-  bool safe = false;            ///< SF, what the referee says
-  double length = 0.0;          ///< TL [m]
-  double arrival_time = 0.0;    ///< AT [s]
-  double mean_curvature = 0.0;  ///< AC [1/m], within stretches of one mode and one direction
-  double max_curvature = 0.0;   ///< MC [1/m], likewise
+  bool safe = false;                     ///< SF, what the referee says
+  double length = 0.0;                   ///< TL [m]
+  double arrival_time = 0.0;             ///< AT [s]
+  double mean_curvature = 0.0;           ///< AC [1/m], within stretches of one mode and one direction
+  double max_curvature = 0.0;            ///< MC [1/m], likewise
   double terminal_position_error = 0.0;  ///< TPE [m]
   double terminal_yaw_error = 0.0;       ///< TYE [rad]
   double standard_mode_rate = 0.0;       ///< SMR, 0..1
-  double total_ms = 0.0;     ///< CT: grid to verified trajectory, wall clock
-  double map_ms = 0.0;       ///< of it: obstacle map
-  double frontend_ms = 0.0;  ///< of it: obstacle map, search and speed profile
-  double backend_ms = 0.0;   ///< of it: corridors and optimisation
-  double verify_ms = 0.0;    ///< of it: the referee
-  int expansions = 0;        ///< nodes the search expanded
-  int switches = 0;          ///< mode switches in the trajectory
-  int outer_iterations = 0;  ///< corridor-optimisation rounds, most of all segments
-  int ipopt_iterations = 0;  ///< NLP iterations, sum over segments and rounds
+  double total_ms = 0.0;                 ///< CT: grid to verified trajectory, wall clock
+  double map_ms = 0.0;                   ///< of it: obstacle map
+  double frontend_ms = 0.0;              ///< of it: obstacle map, search and speed profile
+  double backend_ms = 0.0;               ///< of it: corridors and optimisation
+  double verify_ms = 0.0;                ///< of it: the referee
+  int expansions = 0;                    ///< nodes the search expanded
+  int switches = 0;                      ///< mode switches in the trajectory
+  int outer_iterations = 0;              ///< corridor-optimisation rounds, most of all segments
+  int ipopt_iterations = 0;              ///< NLP iterations, sum over segments and rounds
   double min_clearance = 0.0;  ///< least distance from the exact rectangle to an obstacle along the trajectory [m]
 };
 
 struct PlanResult
 {
   PlanStatus status = PlanStatus::invalid_input;
-  std::string message;  ///< one sentence with numbers, for a person
+  std::string message;    ///< one sentence with numbers, for a person
   Trajectory trajectory;  ///< what the referee accepted; empty unless succeeded
-  Path path;  ///< the front end's
+  Path path;              ///< the front end's
   PlanMetrics metrics;
 };
 

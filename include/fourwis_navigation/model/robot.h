@@ -10,19 +10,19 @@ namespace fourwis
 /// names here.
 struct Robot
 {
-  double length = 1.00;                     ///< l, body length along x [m]
-  double width = 0.62;                      ///< w, body width along y [m]
-  double wheelbase = 0.68;                  ///< L, distance between front and rear steering axes [m]
-  double track_width = 0.52;                ///< W, distance between left and right steering axes [m]
-  double max_steering_angle = M_PI / 6.0;   ///< phi_max of the equivalent wheel, ackermann and lateral [rad]
-  double max_steering_rate = M_PI;          ///< limit of |d phi / dt| of the equivalent wheel [rad/s]
-  double max_speed = 1.0;                   ///< v_max of the centre C [m/s]
-  double max_acceleration = 5.0;            ///< a_max of the centre C [m/s^2]
-  double mode_switch_time = 0.4;            ///< t_switch, the least time a mode switch takes at rest [s]
+  double length = 1.00;                       ///< l, body length along x [m]
+  double width = 0.62;                        ///< w, body width along y [m]
+  double wheelbase = 0.68;                    ///< L, distance between front and rear steering axes [m]
+  double track_width = 0.52;                  ///< W, distance between left and right steering axes [m]
+  double max_steering_angle = M_PI / 6.0;     ///< phi_max of the equivalent wheel, ackermann and lateral [rad]
+  double max_steering_rate = M_PI;            ///< limit of |d phi / dt| of the equivalent wheel [rad/s]
+  double max_speed = 1.0;                     ///< v_max of the centre C [m/s]
+  double max_acceleration = 5.0;              ///< a_max of the centre C [m/s^2]
+  double mode_switch_time = 0.4;              ///< t_switch, the least time a mode switch takes at rest [s]
   double wheel_max_angle = M_PI * 160 / 180;  ///< each wheel turns within +- this angle [rad]
-  double wheel_max_rate = M_PI;             ///< steering rate of each wheel about its own axis [rad/s]
-  double wheel_max_speed = 2.0;             ///< rolling speed of each wheel [m/s]
-  double safety_margin = 0.02;              ///< r_safe, added to the two discs that cover the body [m]
+  double wheel_max_rate = M_PI;               ///< steering rate of each wheel about its own axis [rad/s]
+  double wheel_max_speed = 2.0;               ///< rolling speed of each wheel [m/s]
+  double safety_margin = 0.02;                ///< r_safe, added to the two discs that cover the body [m]
 };
 
 /// Wheel order everywhere: front-left, front-right, rear-left, rear-right.

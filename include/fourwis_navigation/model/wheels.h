@@ -40,7 +40,7 @@ struct WheelMotion
 /// What a base is told to do with its wheels.
 struct WheelCommand
 {
-  Mode mode = Mode::none;      ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it has
+  Mode mode = Mode::none;  ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it has
   std::uint32_t sequence = 0;  ///< grows from command to command; wraps around
   WheelMotion motion;
 };

@@ -82,7 +82,8 @@ bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
     if (problem.terminal_fixed[i] && !std::isfinite(problem.terminal_state[i])) return false;
   for (const Bounds<NX, NU>& bound : problem.bounds)
     if (!((bound.lower.array() <= bound.upper.array()) && (bound.lower.array() < kInfinity) &&
-          (bound.upper.array() > -kInfinity)).all())
+          (bound.upper.array() > -kInfinity))
+             .all())
       return false;
   std::size_t rows = 0;
   for (std::size_t k = 0; k < problem.row_counts.size(); ++k)
@@ -91,9 +92,9 @@ bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
     if (count < (k + 1 < problem.row_counts.size() ? wide_rows : 0)) return false;
     rows += count;
   }
-  return rows == problem.rows.size() &&
-         std::all_of(problem.rows.begin(), problem.rows.end(),
-                     [](const RowLimit& row) { return std::isfinite(row.upper) && row.weight > 0.0; });
+  return rows == problem.rows.size() && std::all_of(problem.rows.begin(), problem.rows.end(), [](const RowLimit& row) {
+           return std::isfinite(row.upper) && row.weight > 0.0;
+         });
 }
 
 template <int NX, int NU>

@@ -44,8 +44,9 @@ struct Derivatives
 template <class Model>
 bool is_finite(const Derivatives<Model>& derivatives)
 {
-  return std::all_of(derivatives.stages.begin(), derivatives.stages.end(), [](const auto& stage)
-                     { return stage.jacobian.allFinite() && stage.gradient.allFinite() && stage.hessian.allFinite(); });
+  return std::all_of(derivatives.stages.begin(), derivatives.stages.end(), [](const auto& stage) {
+    return stage.jacobian.allFinite() && stage.gradient.allFinite() && stage.hessian.allFinite();
+  });
 }
 
 namespace detail

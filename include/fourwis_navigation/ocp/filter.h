@@ -19,8 +19,8 @@ public:
   enum class Verdict
   {
     rejected,
-    reduces_barrier,    ///< Armijo's condition holds where the violation is small: the filter stays as it is
-    makes_progress,     ///< the starting point must be added to the filter
+    reduces_barrier,  ///< Armijo's condition holds where the violation is small: the filter stays as it is
+    makes_progress,   ///< the starting point must be added to the filter
   };
 
   void reserve(std::size_t entries) { entries_.reserve(entries); }

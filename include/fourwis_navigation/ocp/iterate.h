@@ -9,9 +9,9 @@ namespace fourwis::ocp
 template <int NX, int NU>
 struct StageVariables
 {
-  Vector<NX + NU> z;       ///< (x_k, u_k)
-  Vector<NX> lambda;       ///< multiplier of the dynamics that end in x_k
-  Vector<NX + NU> lower;   ///< multipliers of the bounds; 0 where there is none
+  Vector<NX + NU> z;      ///< (x_k, u_k)
+  Vector<NX> lambda;      ///< multiplier of the dynamics that end in x_k
+  Vector<NX + NU> lower;  ///< multipliers of the bounds; 0 where there is none
   Vector<NX + NU> upper;
 };
 

@@ -30,9 +30,9 @@ private:
 /// What a step is judged by, separated so that the barrier parameter may change.
 struct Merit
 {
-  double cost = 0.0;       ///< with the elastic penalties
+  double cost = 0.0;        ///< with the elastic penalties
   double logarithms = 0.0;  ///< of all distances from bounds
-  double violation = 0.0;  ///< sum of the equalities' absolute residuals
+  double violation = 0.0;   ///< sum of the equalities' absolute residuals
 
   double barrier(double mu) const { return cost - mu * logarithms; }
 };
@@ -84,7 +84,7 @@ double slope(const Constraints<NX, NU>& constraints, const Iterate<NX, NU>& at, 
   {
     const Vector<NX + NU>& z = at.stages[k].z;
     const auto barrier =
-      mu / (constraints.bounds[k].upper - z).array() - mu / (z - constraints.bounds[k].lower).array();
+        mu / (constraints.bounds[k].upper - z).array() - mu / (z - constraints.bounds[k].lower).array();
     result += (derivatives.stages[k].gradient.array() + barrier).matrix().dot(step.stages[k].z);
   }
   for (std::size_t i = 0; i < at.rows.size(); ++i)

@@ -21,8 +21,7 @@ struct RowElimination
   RowElimination(const RowVariables& row, double mu)
     : sigma(1.0 / (row.slack / row.multiplier + row.excess / row.excess_multiplier)),
       shift(mu / row.multiplier - row.slack - mu / row.excess_multiplier + row.excess)
-  {
-  }
+  {}
 
   /// y + dy for dz = 0 and the residual r: what the row's gradient is multiplied by in the condensed gradient.
   double multiplier(const RowVariables& row, double r) const { return row.multiplier + sigma * (r + shift); }
@@ -153,12 +152,12 @@ void NewtonSystem<Model>::set_gradients(const Residuals<NX>& residuals)
     auto& stage = stages_[k];
     if (k < last) stage.defect = residuals.defects[k];
     stage.gradient.array() =
-      mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
+        mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
     if (aim_ == Aim::optimality) stage.gradient += derivatives_->stages[k].gradient;
     for_rows(k, [&](int i, auto width) {
       constexpr int n = decltype(width)::value;
       stage.gradient.template head<n>() +=
-        rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i].template head<n>();
+          rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i].template head<n>();
     });
   }
   for (int i = 0; i < NX; ++i)

@@ -38,13 +38,13 @@ const char* to_string(Status status);
 
 struct Statistics
 {
-  int iterations = 0;             ///< Newton steps taken
-  int regularizations = 0;        ///< factorisations repeated because a control Hessian was not positive definite
-  int corrections = 0;            ///< second-order corrections accepted
-  int feasibility_steps = 0;      ///< steps that only reduce the constraints' violation
-  double error = 0.0;             ///< optimality error: greatest of stationarity, feasibility, complementarity, scaled
-  double infeasibility = 0.0;     ///< greatest violation of an equality or of a row beyond its e_i
-  double cost = 0.0;              ///< sum of the l_k and l_N, without elastic penalties
+  int iterations = 0;              ///< Newton steps taken
+  int regularizations = 0;         ///< factorisations repeated because a control Hessian was not positive definite
+  int corrections = 0;             ///< second-order corrections accepted
+  int feasibility_steps = 0;       ///< steps that only reduce the constraints' violation
+  double error = 0.0;              ///< optimality error: greatest of stationarity, feasibility, complementarity, scaled
+  double infeasibility = 0.0;      ///< greatest violation of an equality or of a row beyond its e_i
+  double cost = 0.0;               ///< sum of the l_k and l_N, without elastic penalties
   double elastic_violation = 0.0;  ///< greatest g_i - c_i of the elastic rows; 0 if all are met
 };
 

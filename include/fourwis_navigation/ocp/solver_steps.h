@@ -29,7 +29,7 @@ bool Solver<Model>::factorize()
   if (newton_.factorize(forced_regularization_)) return true;
   const double growth = regularization_ > 0.0 ? 8.0 : 100.0;
   double value =
-    std::max(forced_regularization_, regularization_ > 0.0 ? std::max(1e-20, regularization_ / 3.0) : first);
+      std::max(forced_regularization_, regularization_ > 0.0 ? std::max(1e-20, regularization_ / 3.0) : first);
   for (; value <= greatest; value *= growth)
   {
     ++solution_.statistics.regularizations;

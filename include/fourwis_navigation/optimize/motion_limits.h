@@ -14,10 +14,10 @@ public:
   /// those on the outside roll faster than the centre; `wheel_max_rate` and `wheel_max_speed` hold for all of them.
   MotionLimits(const Robot& robot, Mode mode, double reference_speed);
 
-  double speed;          ///< of |v| [m/s]
-  double angle;          ///< of |phi| [rad]
-  double acceleration;   ///< of |a| [m/s^2]
-  double steering_rate;  ///< of |omega|, whatever phi [rad/s]
+  double speed;             ///< of |v| [m/s]
+  double angle;             ///< of |phi| [rad]
+  double acceleration;      ///< of |a| [m/s^2]
+  double steering_rate;     ///< of |omega|, whatever phi [rad/s]
   double fastest_steering;  ///< of |omega| where phi is such that no wheel turns faster than the equivalent one [rad/s]
 
   /// What the optimisation allows a wheel to turn about its own axis: the limit less a reserve for rounding [rad/s].

@@ -22,18 +22,18 @@ struct OptimizeOptions
 {
   NlpSolver solver = NlpSolver::structured;
   Formulation formulation = Formulation::standard;
-  double spacing = 0.2;             ///< D, distance between knots of the reference [m]
-  double steering_comfort = 0.02;   ///< alpha, weight of (v omega)^2 over time
-  double interval_weight = 0.2;     ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
-  double corridor_weight = 100.0;   ///< what a metre outside the corridor costs [s/m]
-  double shortest_interval = 0.1;   ///< least h_k, of h_ref
-  double longest_interval = 1.5;     ///< greatest h_k, of h_ref, and greatest way within an interval, of the spacing
-  double longest_at_rest = 4.0;     ///< the same next to knots at rest
-  int corridor_discs = 2;           ///< discs that cover the body, each with a region of its own
-  int polish_discs = 4;             ///< the same in the last, finer round
-  double corridor_range = 2.0;      ///< a corridor's polytopes reach this far beyond the reference [m]
-  int outer_iterations = 2;         ///< rounds of corridor and optimisation, the last to full accuracy
-  int repairs = 3;                  ///< further rounds with smaller regions where the certificate fails
+  double spacing = 0.2;            ///< D, distance between knots of the reference [m]
+  double steering_comfort = 0.02;  ///< alpha, weight of (v omega)^2 over time
+  double interval_weight = 0.2;    ///< w_h, weight of (h_k - h_ref)^2, keeps the knots evenly spread in time [1/s]
+  double corridor_weight = 100.0;  ///< what a metre outside the corridor costs [s/m]
+  double shortest_interval = 0.1;  ///< least h_k, of h_ref
+  double longest_interval = 1.5;   ///< greatest h_k, of h_ref, and greatest way within an interval, of the spacing
+  double longest_at_rest = 4.0;    ///< the same next to knots at rest
+  int corridor_discs = 2;          ///< discs that cover the body, each with a region of its own
+  int polish_discs = 4;            ///< the same in the last, finer round
+  double corridor_range = 2.0;     ///< a corridor's polytopes reach this far beyond the reference [m]
+  int outer_iterations = 2;        ///< rounds of corridor and optimisation, the last to full accuracy
+  int repairs = 3;                 ///< further rounds with smaller regions where the certificate fails
 };
 
 }  // namespace fourwis

@@ -18,7 +18,7 @@ namespace fourwis
 struct SegmentSolution
 {
   bool solved = false;
-  std::string message;             ///< the solver's word for how it ended
+  std::string message;  ///< the solver's word for how it ended
   Trajectory points;
   int iterations = 0;
   double corridor_violation = 0.0;  ///< greatest distance by which a disc centre leaves its region at a knot [m], or

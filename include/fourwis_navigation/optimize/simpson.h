@@ -19,8 +19,8 @@ namespace fourwis
 class SimpsonDynamics
 {
 public:
-  static constexpr int kStates = 5;     ///< (x, y, theta, v, phi)
-  static constexpr int kControls = 3;   ///< (a, omega, h)
+  static constexpr int kStates = 5;    ///< (x, y, theta, v, phi)
+  static constexpr int kControls = 3;  ///< (a, omega, h)
   static constexpr int kVariables = kStates + kControls;
   using State = Eigen::Matrix<double, kStates, 1>;
   using Control = Eigen::Matrix<double, kControls, 1>;

@@ -17,11 +17,11 @@ namespace fourwis
 
 struct PaperBackEndOptions
 {
-  double spacing = 0.2;        ///< D [m]
-  BoxOptions boxes;            ///< Algorithm 2
-  PaperOptions program;        ///< eq. (26)
-  double convergence = 1e-6;   ///< epsilon_tol: done when psi is less
-  int outer_iterations = 10;   ///< I, at most so many rounds of corridor and program
+  double spacing = 0.2;       ///< D [m]
+  BoxOptions boxes;           ///< Algorithm 2
+  PaperOptions program;       ///< eq. (26)
+  double convergence = 1e-6;  ///< epsilon_tol: done when psi is less
+  int outer_iterations = 10;  ///< I, at most so many rounds of corridor and program
 };
 
 enum class PaperStatus
@@ -42,9 +42,9 @@ struct PaperRefinement
   std::string message;                             ///< one sentence with numbers, for a person
   Trajectory trajectory;                           ///< of the whole path, Euler steps
   int segments = 0;
-  int outer_iterations = 0;    ///< most of all segments
-  int ipopt_iterations = 0;    ///< sum over segments and rounds
-  double infeasibility = 0.0;  ///< psi, greatest of all segments
+  int outer_iterations = 0;            ///< most of all segments
+  int ipopt_iterations = 0;            ///< sum over segments and rounds
+  double infeasibility = 0.0;          ///< psi, greatest of all segments
   std::vector<BoxCorridor> corridors;  ///< the last of each segment
 };
 

@@ -33,7 +33,7 @@ void check(const PlannerOptions& options);
 /// What the stages leave behind for somebody who wants to look at them; filled only when asked for.
 struct PlanTrace
 {
-  std::vector<Pose> expanded;         ///< nodes of the first search in the order of expansion
+  std::vector<Pose> expanded;                        ///< nodes of the first search in the order of expansion
   std::vector<std::vector<RefinementRound>> rounds;  ///< of each segment of the trajectory, one after the other
 
   std::vector<Corridor> corridors() const;      ///< of the segments, the last round's
@@ -44,7 +44,8 @@ struct PlanTrace
 /// A grid and a robot with everything that can be computed from them once. Immutable; share it between plans and threads.
 struct World
 {
-  World(const OccupancyGrid& grid, const Robot& robot, const PlannerOptions& options);  ///< throws std::invalid_argument
+  World(const OccupancyGrid& grid, const Robot& robot,
+        const PlannerOptions& options);  ///< throws std::invalid_argument
 
   Robot robot;
   OccupancyGrid grid;

@@ -32,20 +32,20 @@ struct VerifyOptions
 /// One broken promise.
 struct Violation
 {
-  int point = 0;       ///< index of the trajectory point at or after which it happens
-  double t = 0.0;      ///< when [s]
-  std::string what;    ///< quantity, value, limit: a sentence
+  int point = 0;     ///< index of the trajectory point at or after which it happens
+  double t = 0.0;    ///< when [s]
+  std::string what;  ///< quantity, value, limit: a sentence
 };
 
 struct Verdict
 {
-  std::vector<Violation> violations;    ///< empty: accepted. At most five of a kind, in the order of the points
+  std::vector<Violation> violations;  ///< empty: accepted. At most five of a kind, in the order of the points
   /// Least distance of the rectangle to an obstacle cell or the border of the grid [m]; 0 when touching or overlapping.
   /// Exact at the poses looked at, which are so close that it is at most 1/8 or half a collision_step too large. 0 when
   /// the points were no trajectory at all, and then so are the numbers below.
   double min_clearance = 0.0;
-  double max_rollout_position = 0.0;    ///< worst miss of a rolled-out step [m]
-  double max_rollout_angle = 0.0;       ///< likewise [rad]
+  double max_rollout_position = 0.0;     ///< worst miss of a rolled-out step [m]
+  double max_rollout_angle = 0.0;        ///< likewise [rad]
   double terminal_position_error = 0.0;  ///< TPE [m]
   double terminal_yaw_error = 0.0;       ///< TYE [rad]
 

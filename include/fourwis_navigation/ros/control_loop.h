@@ -20,10 +20,10 @@ namespace fourwis
 /// What came of one control step.
 struct ControlStep
 {
-  ros::Time stamp;       ///< of the measurements it answers, or when it found them stale
-  ros::Time trajectory;  ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
-  TrackOutput output;    ///< its message is valid until the next step
-  bool enabled = false;  ///< whether the base lets itself be driven
+  ros::Time stamp;        ///< of the measurements it answers, or when it found them stale
+  ros::Time trajectory;   ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
+  TrackOutput output;     ///< its message is valid until the next step
+  bool enabled = false;   ///< whether the base lets itself be driven
   std::string problem;    ///< why the pose is not known, or why the base says that it is not enabled; empty otherwise
   double speed = 0.0;     ///< of the robot's centre, as odometry has it [m/s]
   double solve_ms = 0.0;  ///< time of the whole step
@@ -93,10 +93,10 @@ private:
   std::optional<Tracker> tracker_;  ///< replaced when time goes back
   std::optional<WaitingStop> stop_;
   std::optional<WaitingTrajectory> next_;
-  ros::Time trajectory_;  ///< stamp of what the tracker was told last, be it to stop
+  ros::Time trajectory_;      ///< stamp of what the tracker was told last, be it to stop
   ros::Time first_, newest_;  ///< pair
   ros::Time newest_odometry_, newest_wheel_states_;
-  ros::Time stepped_;          ///< the last step
+  ros::Time stepped_;         ///< the last step
   std::uint64_t number_ = 0;  ///< of it
   TrackInput input_;
   double speed_ = 0.0;

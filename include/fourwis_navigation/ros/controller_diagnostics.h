@@ -25,8 +25,8 @@ private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   std::optional<fourwis_navigation::Tracking> last_;
-  std::string refusal_;             ///< of the trajectory that came last; empty when it was taken
-  double slowest_ms_ = 0.0;         ///< control step since the last report
+  std::string refusal_;      ///< of the trajectory that came last; empty when it was taken
+  double slowest_ms_ = 0.0;  ///< control step since the last report
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;
 };

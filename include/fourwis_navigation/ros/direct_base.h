@@ -33,8 +33,8 @@ private:
   const double lockstep_period_;  ///< [s]
   BaseSimulator& simulator_;
   BaseTopics topics_;
-  ros::Time commanded_;       ///< stamp of the newest command
-  ros::WallTime heard_;       ///< when it came
+  ros::Time commanded_;  ///< stamp of the newest command
+  ros::WallTime heard_;  ///< when it came
   ros::NodeHandle node_;
   ros::Subscriber wheel_commands_;
 };

@@ -75,10 +75,10 @@ private:
   const double patience_;
   mutable std::mutex mutex_;
   Kind kind_ = Kind::nothing;
-  ros::Time stamp_;  ///< of what was sent
-  ros::Time due_;    ///< when it should begin
-  ros::Time heard_;  ///< when the controller was last heard, or given something to say
-  std::string told_;  ///< the controller's last message
+  ros::Time stamp_;      ///< of what was sent
+  ros::Time due_;        ///< when it should begin
+  ros::Time heard_;      ///< when the controller was last heard, or given something to say
+  std::string told_;     ///< the controller's last message
   bool enabled_ = true;  ///< whether the base lets itself be driven
   ros::Time disabled_;   ///< when it last did not; zero: never heard that it did not
   DriveReport report_;

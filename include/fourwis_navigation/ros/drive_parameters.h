@@ -51,12 +51,12 @@ struct BaseSimulatorNodeOptions
   std::string bus = kDirect;  ///< `direct`: takes wheel_commands itself; else drives on this bus, see can::open_bus()
   std::string global_frame = "map";
   BaseFrames frames;
-  double publish_frequency = 100.0;    ///< cycles of simulated time each second; with a bus, of the true pose [Hz]
-  double transform_tolerance = 0.1;    ///< how far ahead the ideal localisation dates its transform [s]
-  bool publish_clock = true;           ///< without a bus: whether its time is everybody's
-  double real_time_factor = 1.0;       ///< then: how much faster than real time
-  double lockstep_period = 0.02;       ///< then: time waits for commands younger than this [s]; 0: never
-  Pose initial;                        ///< where the robot is at first
+  double publish_frequency = 100.0;  ///< cycles of simulated time each second; with a bus, of the true pose [Hz]
+  double transform_tolerance = 0.1;  ///< how far ahead the ideal localisation dates its transform [s]
+  bool publish_clock = true;         ///< without a bus: whether its time is everybody's
+  double real_time_factor = 1.0;     ///< then: how much faster than real time
+  double lockstep_period = 0.02;     ///< then: time waits for commands younger than this [s]; 0: never
+  Pose initial;                      ///< where the robot is at first
 };
 
 /// Everything that base_simulator_node is configured with.

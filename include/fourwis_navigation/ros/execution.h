@@ -44,8 +44,8 @@ class Execution
 {
 public:
   /// All must outlive this. `monitor` hears the controller.
-  Execution(const GlobalPlannerOptions& options, const PoseSource& poses, const MapStore& maps, const MapPlanner& planner,
-            DriveMonitor& monitor, PlannerTopics& topics);
+  Execution(const GlobalPlannerOptions& options, const PoseSource& poses, const MapStore& maps,
+            const MapPlanner& planner, DriveMonitor& monitor, PlannerTopics& topics);
 
   /// Returns when the goal has come to its end, or soon after `cancelled` has become true. Then the robot is left as it
   /// is: the next goal, or halt(), stops it.

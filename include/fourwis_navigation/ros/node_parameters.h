@@ -26,15 +26,15 @@ struct GlobalPlannerOptions
   std::string robot_base_frame = "base_link";  ///< the robot's centre
   double transform_tolerance = 0.5;            ///< greatest age of the robot's transform [s]
   StartFrom start_from = StartFrom::tf;
-  ModeSet modes;                               ///< what goals are planned with
-  bool wait_for_controller = false;            ///< whether there is a controller, whose reports say how goals end
-  double controller_patience = 5.0;            ///< how long it may say nothing, begin late, or take to stop [s]
-  int replan_attempts = 2;                     ///< new plans for a goal after the controller has given one up
-  double start_delay = 0.2;                    ///< from the time a plan starts from to the time it begins [s]
-  double stop_delay = 0.05;                    ///< from the reason to stop to the time at which it begins [s]
-  bool show_expansions = false;                ///< draw the nodes that the search expanded
-  bool show_corridors = false;                 ///< draw the regions that the optimisation kept the disc centres in
-  bool show_iterations = false;                ///< draw what each round of the optimisation made of the path
+  ModeSet modes;                     ///< what goals are planned with
+  bool wait_for_controller = false;  ///< whether there is a controller, whose reports say how goals end
+  double controller_patience = 5.0;  ///< how long it may say nothing, begin late, or take to stop [s]
+  int replan_attempts = 2;           ///< new plans for a goal after the controller has given one up
+  double start_delay = 0.2;          ///< from the time a plan starts from to the time it begins [s]
+  double stop_delay = 0.05;          ///< from the reason to stop to the time at which it begins [s]
+  bool show_expansions = false;      ///< draw the nodes that the search expanded
+  bool show_corridors = false;       ///< draw the regions that the optimisation kept the disc centres in
+  bool show_iterations = false;      ///< draw what each round of the optimisation made of the path
 };
 
 /// Everything that global_planner_node is configured with.

@@ -18,8 +18,8 @@ class HolonomicDistance
 public:
   /// Computes the field until the start is reached and `slack` metres beyond. Stops early, with a field of no use, when
   /// interrupted.
-  HolonomicDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double cell_size, double slack,
-                    const Interrupt& interrupt);
+  HolonomicDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double cell_size,
+                    double slack, const Interrupt& interrupt);
 
   /// Distance to the goal [m], turning on the spot charged like driving a cell for each bin of heading.
   double operator()(const Pose& pose) const;

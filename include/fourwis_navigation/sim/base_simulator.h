@@ -36,7 +36,7 @@ public:
   void step(double duration);
 
   double time() const { return static_cast<double>(steps_) * options_.time_step; }  ///< since the beginning [s]
-  const Pose& pose() const { return plant_.body().pose(); }    ///< where the body really is; theta is not wrapped
+  const Pose& pose() const { return plant_.body().pose(); }     ///< where the body really is; theta is not wrapped
   const Twist& twist() const { return plant_.body().twist(); }  ///< how it really moves, in its own frame
   WheelMotion truth() const { return plant_.wheels(); }         ///< what the wheels really do
   WheelState wheels() const;                                    ///< as the encoders have it, stamped with time()
@@ -68,7 +68,7 @@ private:
   Interlock interlock_;
   std::deque<Pending> pending_;
   WheelCommand taken_;
-  PerWheel speeds_{};               ///< what the drives are told at present [m/s]
+  PerWheel speeds_{};  ///< what the drives are told at present [m/s]
   BaseState state_ = BaseState::enabled;
   std::int64_t steps_ = 0, taken_at_ = 0;
   double remainder_ = 0.0;

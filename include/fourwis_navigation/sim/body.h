@@ -28,7 +28,7 @@ public:
   /// Moves for `duration` [s], short enough for the wheels to be constant meanwhile.
   void step(double duration, const WheelMotion& wheels, const DrivenWheels& driven);
 
-  const Pose& pose() const { return pose_; }    ///< theta is not wrapped
+  const Pose& pose() const { return pose_; }     ///< theta is not wrapped
   const Twist& twist() const { return twist_; }  ///< in the body's frame
 
   /// How fast a wheel with this angle rolls when it is not driven [m/s].

@@ -35,10 +35,10 @@ public:
   std::vector<can::Frame> take_sent();
 
   // What can go wrong with it.
-  void reboot(double now);             ///< as if power had gone and come: nothing that was written remains
-  void fail(std::uint16_t code);       ///< fault reaction, then fault, with an emergency
-  void warn(std::uint16_t code);       ///< emergency and warning bit, works on; until the next fault reset or reboot
-  void shift_encoder(double counts);   ///< counts differently from here on
+  void reboot(double now);            ///< as if power had gone and come: nothing that was written remains
+  void fail(std::uint16_t code);      ///< fault reaction, then fault, with an emergency
+  void warn(std::uint16_t code);      ///< emergency and warning bit, works on; until the next fault reset or reboot
+  void shift_encoder(double counts);  ///< counts differently from here on
 
   NmtState nmt_state() const;
   PowerState power_state() const;

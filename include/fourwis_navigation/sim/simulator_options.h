@@ -8,9 +8,9 @@ namespace fourwis
 /// What the eight actuators can do; the limits of angle, rate and speed are the robot's.
 struct ActuatorOptions
 {
-  double steering_lag = 0.02;         ///< time constant of a steering axis [s]
-  double drive_lag = 0.03;            ///< time constant of a wheel's speed [s]
-  double drive_acceleration = 12.0;   ///< greatest change of a wheel's rolling speed [m/s^2]
+  double steering_lag = 0.02;        ///< time constant of a steering axis [s]
+  double drive_lag = 0.03;           ///< time constant of a wheel's speed [s]
+  double drive_acceleration = 12.0;  ///< greatest change of a wheel's rolling speed [m/s^2]
 };
 
 /// How the wheels fail to hold the ground.
@@ -33,11 +33,11 @@ struct EncoderOptions
 struct InterlockOptions
 {
   double largest_jump = M_PI * 20.0 / 180.0;  ///< of a commanded angle; beyond it is treated as another mode [rad]
-  double standstill_speed = 0.005;           ///< every wheel is slower at standstill [m/s]
-  double standstill_time = 0.1;              ///< for so long [s]
+  double standstill_speed = 0.005;            ///< every wheel is slower at standstill [m/s]
+  double standstill_time = 0.1;               ///< for so long [s]
   double aligned_angle = M_PI * 2.0 / 180.0;  ///< every wheel is nearer to its angle when aligned [rad]
-  double aligned_time = 0.05;                ///< for so long [s]
-  double alignment_timeout = 3.0;            ///< to come to rest, and again to be aligned; then it is a fault [s]
+  double aligned_time = 0.05;                 ///< for so long [s]
+  double alignment_timeout = 3.0;             ///< to come to rest, and again to be aligned; then it is a fault [s]
 };
 
 /// The simulated base; the keys of config/simulator.yaml.

@@ -17,7 +17,7 @@ namespace fourwis
 struct SteeringStretch
 {
   Mode mode = Mode::none;
-  double start = 0.0;          ///< phi it begins with [rad]
+  double start = 0.0;            ///< phi it begins with [rad]
   double low = 0.0, high = 0.0;  ///< least and greatest phi on the way, low <= start <= high [rad]
 };
 

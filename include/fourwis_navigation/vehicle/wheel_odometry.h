@@ -13,8 +13,8 @@ namespace fourwis
 /// Where the wheels say the body has got to.
 struct Odometry
 {
-  double stamp = 0.0;  ///< of the last measurement [s]
-  Pose pose;           ///< in the odom frame; theta is not wrapped
+  double stamp = 0.0;                                         ///< of the last measurement [s]
+  Pose pose;                                                  ///< in the odom frame; theta is not wrapped
   Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, theta) in the odom frame
   TwistEstimate motion;                                       ///< at the stamp
 };
@@ -22,7 +22,7 @@ struct Odometry
 /// What became of a measurement.
 enum class OdometryStatus
 {
-  first,       ///< begins a sequence: nothing to integrate yet
+  first,  ///< begins a sequence: nothing to integrate yet
   integrated,
   not_newer,   ///< refused: its stamp is not later than the last one
   not_finite,  ///< refused: something in it is no number

@@ -5,19 +5,17 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "base_simulator");
-  return fourwis::node_main(
-    []
+  return fourwis::node_main([] {
+    const auto parameters = fourwis::base_simulator_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
+    if (parameters.node.bus == fourwis::kDirect)
     {
-      const auto parameters = fourwis::base_simulator_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
-      if (parameters.node.bus == fourwis::kDirect)
-      {
-        const fourwis::SimulatedRobot robot(parameters);
-        ros::spin();
-      }
-      else
-      {
-        const fourwis::SimulatedDrives drives(parameters);
-        ros::spin();
-      }
-    });
+      const fourwis::SimulatedRobot robot(parameters);
+      ros::spin();
+    }
+    else
+    {
+      const fourwis::SimulatedDrives drives(parameters);
+      ros::spin();
+    }
+  });
 }

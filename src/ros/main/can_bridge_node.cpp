@@ -23,14 +23,11 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "can_bridge", ros::init_options::NoSigintHandler);
   std::signal(SIGINT, ask_to_end);
   std::signal(SIGTERM, ask_to_end);
-  return fourwis::node_main(
-    []
-    {
-      fourwis::CanBridge bridge(
-        fourwis::can_bridge_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
-      ros::AsyncSpinner spinner(2);
-      spinner.start();
-      while (ros::ok() && !asked_to_end) ros::WallDuration(0.02).sleep();
-      bridge.end();
-    });
+  return fourwis::node_main([] {
+    fourwis::CanBridge bridge(fourwis::can_bridge_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
+    ros::AsyncSpinner spinner(2);
+    spinner.start();
+    while (ros::ok() && !asked_to_end) ros::WallDuration(0.02).sleep();
+    bridge.end();
+  });
 }

@@ -4,11 +4,9 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "global_planner");
-  return fourwis::node_main(
-    []
-    {
-      const fourwis::GlobalPlanner planner(
+  return fourwis::node_main([] {
+    const fourwis::GlobalPlanner planner(
         fourwis::global_planner_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
-      ros::spin();
-    });
+    ros::spin();
+  });
 }

@@ -5,12 +5,10 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "map_publisher");
-  return fourwis::node_main(
-    [&]
-    {
-      const auto options = fourwis::map_publisher_options_from(fourwis::read_parameters(ros::NodeHandle("~")),
-                                                               argc > 1 ? argv[1] : "");
-      const fourwis::MapPublisher publisher(fourwis::read_map_file(options.map_file), options.frame_id);
-      ros::spin();
-    });
+  return fourwis::node_main([&] {
+    const auto options =
+        fourwis::map_publisher_options_from(fourwis::read_parameters(ros::NodeHandle("~")), argc > 1 ? argv[1] : "");
+    const fourwis::MapPublisher publisher(fourwis::read_map_file(options.map_file), options.frame_id);
+    ros::spin();
+  });
 }

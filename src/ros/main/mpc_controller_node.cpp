@@ -4,11 +4,9 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "mpc_controller");
-  return fourwis::node_main(
-    []
-    {
-      const fourwis::MpcController controller(
+  return fourwis::node_main([] {
+    const fourwis::MpcController controller(
         fourwis::mpc_controller_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
-      ros::spin();
-    });
+    ros::spin();
+  });
 }

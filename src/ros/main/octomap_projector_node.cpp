@@ -5,12 +5,10 @@
 int main(int argc, char** argv)
 {
   ros::init(argc, argv, "octomap_projector");
-  return fourwis::node_main(
-    []
-    {
-      const auto options = fourwis::octomap_projector_options_from(fourwis::read_parameters(ros::NodeHandle("~")));
-      const fourwis::MapPublisher publisher(fourwis::project_octomap_file(options.octomap_file, options.band),
-                                            options.frame_id);
-      ros::spin();
-    });
+  return fourwis::node_main([] {
+    const auto options = fourwis::octomap_projector_options_from(fourwis::read_parameters(ros::NodeHandle("~")));
+    const fourwis::MapPublisher publisher(fourwis::project_octomap_file(options.octomap_file, options.band),
+                                          options.frame_id);
+    ros::spin();
+  });
 }
