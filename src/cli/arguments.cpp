@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/arguments.h"
+#include "arguments.h"
 
 #include <cmath>
 #include <locale>

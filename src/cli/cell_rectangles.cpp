@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/cell_rectangles.h"
+#include "cell_rectangles.h"
 
 #include <algorithm>
 #include <map>

@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "fourwis_navigation/cli/picture.h"
 #include "page.h"
+#include "picture.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/motion_samples.h"
+#include "motion_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/output_file.h"
+#include "output_file.h"
 
 #include <filesystem>
 #include <system_error>

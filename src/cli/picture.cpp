@@ -1,14 +1,14 @@
-#include "fourwis_navigation/cli/picture.h"
+#include "picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "fourwis_navigation/cli/cell_rectangles.h"
-#include "fourwis_navigation/cli/motion_samples.h"
+#include "cell_rectangles.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "legend.h"
+#include "motion_samples.h"
 #include "page.h"
 
 namespace fourwis

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/plan_command.h"
+#include "plan_command.h"
 
 #include <algorithm>
 #include <exception>
@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "fourwis_navigation/cli/arguments.h"
-#include "fourwis_navigation/cli/output_file.h"
-#include "fourwis_navigation/cli/picture.h"
-#include "fourwis_navigation/cli/report.h"
+#include "arguments.h"
 #include "fourwis_navigation/map/map_file.h"
 #include "fourwis_navigation/parameters/parameters.h"
 #include "fourwis_navigation/planner/planner.h"
+#include "output_file.h"
+#include "picture.h"
+#include "report.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/cli/report.h"
+#include "report.h"
 
 #include <cmath>
 #include <stdexcept>

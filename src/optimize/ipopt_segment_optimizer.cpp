@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fourwis_navigation/optimize/motion_limits.h"
 #include "ipopt_solver.h"
+#include "motion_limits.h"
 #include "ocp_nlp.h"
 #include "segment_problem.h"
 

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/optimize/motion_limits.h"
+#include "motion_limits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "fourwis_navigation/optimize/motion_limits.h"
 #include "ipopt_solver.h"
+#include "motion_limits.h"
 #include "paper_problem.h"
 
 namespace fourwis

@@ -1,7 +1,7 @@
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 
 #include "fourwis_navigation/ocp/solver.h"
-#include "fourwis_navigation/optimize/motion_limits.h"
+#include "motion_limits.h"
 #include "segment_problem.h"
 
 namespace fourwis

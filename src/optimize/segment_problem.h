@@ -10,9 +10,9 @@
 #include "fourwis_navigation/model/trajectory.h"
 #include "fourwis_navigation/ocp/model.h"
 #include "fourwis_navigation/ocp/problem.h"
-#include "fourwis_navigation/optimize/motion_limits.h"
 #include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/optimize/simpson.h"
+#include "motion_limits.h"
 #include "wheel_rate_rows.h"
 
 namespace fourwis

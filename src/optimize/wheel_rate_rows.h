@@ -3,7 +3,7 @@
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/ocp/types.h"
-#include "fourwis_navigation/optimize/motion_limits.h"
+#include "motion_limits.h"
 
 namespace fourwis
 {

@@ -24,9 +24,9 @@ auto optimize(Value OptimizeOptions::*member)
 }
 
 template <class Value>
-auto verify(Value VerifyOptions::*member)
+auto referee(Value RefereeOptions::*member)
 {
-  return [member](PlannerOptions& options) -> Slot { return &(options.verify.*member); };
+  return [member](PlannerOptions& options) -> Slot { return &(options.referee.*member); };
 }
 
 template <class Value>
@@ -81,7 +81,7 @@ const ParameterTable<PlannerOptions>& planner_table()
       {"repairs", optimize(&OptimizeOptions::repairs), 0, 20},
 
       // The referee's other tolerances are the meaning of a trajectory, not a matter of taste.
-      {"collision_step", verify(&VerifyOptions::collision_step), 0.0005, 0.01, "m"},
+      {"collision_step", referee(&RefereeOptions::collision_step), 0.0005, 0.01, "m"},
       {"planner_patience", planner(&PlannerOptions::planner_patience), 0.001, 3600.0, "s"},
   };
   return table;

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/back_end.h"
+#include "back_end.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "fourwis_navigation/optimize/simpson.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 #include "in_parallel.h"
 #include "segment_refiner.h"
+#include "stop_and_steer.h"
 
 namespace fourwis
 {

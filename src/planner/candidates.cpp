@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/candidates.h"
+#include "candidates.h"
 
 #include <algorithm>
 

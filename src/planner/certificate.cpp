@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/certificate.h"
+#include "certificate.h"
 
 #include <algorithm>
 #include <cmath>

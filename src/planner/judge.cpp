@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "fourwis_navigation/planner/metrics.h"
+#include "fourwis_navigation/referee/metrics.h"
 #include "plan_sentences.h"
 
 namespace fourwis

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/paper_back_end.h"
+#include "paper_back_end.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -6,15 +6,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "back_end.h"
+#include "candidates.h"
 #include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/planner/back_end.h"
-#include "fourwis_navigation/planner/candidates.h"
-#include "fourwis_navigation/planner/paper_back_end.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/search/front_end.h"
 #include "in_parallel.h"
 #include "judge.h"
+#include "paper_back_end.h"
 #include "plan_sentences.h"
+#include "stop_and_steer.h"
 
 namespace fourwis
 {
@@ -210,7 +210,7 @@ World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const Pla
     grid(occupancy),
     obstacles(occupancy, options.obstacles),
     rectangles(obstacles),
-    referee(occupancy, options.obstacles, robot_model, options.verify),
+    referee(occupancy, options.obstacles, robot_model, options.referee),
     build_ms(ms_since(begin))
 {}
 

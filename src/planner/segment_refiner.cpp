@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fourwis_navigation/planner/certificate.h"
+#include "certificate.h"
 #include "halved_segment.h"
 
 namespace fourwis

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/stop_and_steer.h"
+#include "stop_and_steer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "fourwis_navigation/ros/base_topics.h"
+#include "base_topics.h"
 
+#include "drive_conversions.h"
 #include "fourwis_navigation/WheelStates.h"
-#include "fourwis_navigation/ros/drive_conversions.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/bridge_diagnostics.h"
+#include "bridge_diagnostics.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "fourwis_navigation/ros/bridge_monitor.h"
+#include "bridge_monitor.h"
 
 #include <chrono>
 
-#include "fourwis_navigation/can/real_time.h"
+#include "fourwis_navigation/can/bus/real_time.h"
 
 namespace fourwis
 {

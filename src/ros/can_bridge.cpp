@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/can_bridge.h"
+#include "can_bridge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 
-#include "fourwis_navigation/can/real_time.h"
-#include "fourwis_navigation/ros/drive_conversions.h"
-#include "fourwis_navigation/ros/stamps.h"
+#include "drive_conversions.h"
+#include "fourwis_navigation/can/bus/real_time.h"
+#include "stamps.h"
 
 namespace fourwis
 {

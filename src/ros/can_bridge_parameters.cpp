@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/can_bridge_parameters.h"
+#include "can_bridge_parameters.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/control_loop.h"
+#include "control_loop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,10 +8,10 @@
 
 #include <ros/console.h>
 
-#include "fourwis_navigation/ros/drive_conversions.h"
-#include "fourwis_navigation/ros/stamps.h"
+#include "drive_conversions.h"
 #include "fourwis_navigation/track/step_number.h"
 #include "refuse.h"
+#include "stamps.h"
 
 namespace fourwis
 {

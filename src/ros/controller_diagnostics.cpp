@@ -1,8 +1,8 @@
-#include "fourwis_navigation/ros/controller_diagnostics.h"
+#include "controller_diagnostics.h"
 
 #include <algorithm>
 
-#include "fourwis_navigation/ros/tracking_marker.h"
+#include "tracking_marker.h"
 
 namespace fourwis
 {

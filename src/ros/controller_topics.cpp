@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/controller_topics.h"
+#include "controller_topics.h"
 
 #include <cmath>
 
@@ -7,10 +7,10 @@
 #include <ros/console.h>
 #include <ros/single_subscriber_publisher.h>
 
-#include "fourwis_navigation/ros/drive_conversions.h"
-#include "fourwis_navigation/ros/stamps.h"
-#include "fourwis_navigation/ros/tracking_marker.h"
+#include "drive_conversions.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "stamps.h"
+#include "tracking_marker.h"
 
 namespace fourwis
 {

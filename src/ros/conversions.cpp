@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 #include <cmath>
 #include <cstdint>

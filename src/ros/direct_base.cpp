@@ -1,9 +1,9 @@
-#include "fourwis_navigation/ros/direct_base.h"
+#include "direct_base.h"
 
 #include <ros/console.h>
 
-#include "fourwis_navigation/ros/drive_conversions.h"
-#include "fourwis_navigation/ros/stamps.h"
+#include "drive_conversions.h"
+#include "stamps.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/direct_base_faults.h"
+#include "direct_base_faults.h"
 
 #include "refuse.h"
 

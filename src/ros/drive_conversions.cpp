@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/drive_conversions.h"
+#include "drive_conversions.h"
 
 #include <algorithm>
 

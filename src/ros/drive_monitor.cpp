@@ -1,9 +1,9 @@
-#include "fourwis_navigation/ros/drive_monitor.h"
+#include "drive_monitor.h"
 
 #include <algorithm>
 #include <sstream>
 
-#include "fourwis_navigation/ros/plausible_stamp.h"
+#include "plausible_stamp.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/drive_parameters.h"
+#include "drive_parameters.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/execution.h"
+#include "execution.h"
 
 #include <algorithm>
 #include <sstream>
@@ -6,8 +6,8 @@
 
 #include <ros/duration.h>
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/plausible_stamp.h"
+#include "conversions.h"
+#include "plausible_stamp.h"
 
 namespace fourwis
 {

@@ -1,6 +1,6 @@
-#include "fourwis_navigation/ros/fault_services.h"
+#include "fault_services.h"
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

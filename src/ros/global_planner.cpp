@@ -1,8 +1,8 @@
-#include "fourwis_navigation/ros/global_planner.h"
+#include "global_planner.h"
 
 #include <utility>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

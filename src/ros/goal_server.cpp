@@ -1,7 +1,7 @@
-#include "fourwis_navigation/ros/goal_server.h"
+#include "goal_server.h"
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/plausible_stamp.h"
+#include "conversions.h"
+#include "plausible_stamp.h"
 
 namespace fourwis
 {

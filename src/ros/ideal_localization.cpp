@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/ideal_localization.h"
+#include "ideal_localization.h"
 
 #include <utility>
 

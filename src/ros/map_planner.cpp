@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/map_planner.h"
+#include "map_planner.h"
 
 namespace fourwis
 {

@@ -1,8 +1,8 @@
-#include "fourwis_navigation/ros/map_publisher.h"
+#include "map_publisher.h"
 
 #include <ros/console.h>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

@@ -1,9 +1,9 @@
-#include "fourwis_navigation/ros/map_store.h"
+#include "map_store.h"
 
 #include <chrono>
 #include <utility>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

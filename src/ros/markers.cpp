@@ -1,10 +1,10 @@
-#include "fourwis_navigation/ros/markers.h"
+#include "markers.h"
 
 #include <cmath>
 #include <string>
 
+#include "conversions.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
-#include "fourwis_navigation/ros/conversions.h"
 
 namespace fourwis
 {

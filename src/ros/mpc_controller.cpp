@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/mpc_controller.h"
+#include "mpc_controller.h"
 
 #include <ros/console.h>
 

@@ -1,9 +1,9 @@
-#include "fourwis_navigation/ros/node_parameters.h"
+#include "node_parameters.h"
 
 #include <cmath>
 #include <sstream>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

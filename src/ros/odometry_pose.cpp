@@ -1,11 +1,11 @@
-#include "fourwis_navigation/ros/odometry_pose.h"
+#include "odometry_pose.h"
 
 #include <cmath>
 
 #include <tf2/exceptions.h>
 
-#include "fourwis_navigation/ros/stamps.h"
 #include "refuse.h"
+#include "stamps.h"
 
 namespace fourwis
 {

@@ -1,8 +1,8 @@
-#include "fourwis_navigation/ros/plan_services.h"
+#include "plan_services.h"
 
 #include <ros/console.h>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

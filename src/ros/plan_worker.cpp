@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/plan_worker.h"
+#include "plan_worker.h"
 
 #include <utility>
 

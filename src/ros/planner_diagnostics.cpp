@@ -1,6 +1,6 @@
-#include "fourwis_navigation/ros/planner_diagnostics.h"
+#include "planner_diagnostics.h"
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

@@ -1,10 +1,10 @@
-#include "fourwis_navigation/ros/planner_topics.h"
+#include "planner_topics.h"
 
 #include <nav_msgs/Path.h>
 #include <ros/console.h>
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/markers.h"
+#include "conversions.h"
+#include "markers.h"
 
 namespace fourwis
 {

@@ -1,12 +1,12 @@
-#include "fourwis_navigation/ros/pose_source.h"
+#include "pose_source.h"
 
 #include <sstream>
 
 #include <tf2/exceptions.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/stamps.h"
+#include "conversions.h"
+#include "stamps.h"
 
 namespace fourwis
 {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "fourwis_navigation/ros/conversions.h"
+#include "conversions.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/simulated_drives.h"
+#include "simulated_drives.h"
 
 #include <ros/console.h>
 #include <tf2/exceptions.h>
@@ -88,9 +88,9 @@ Pose SimulatedDrives::truth_at(const ros::Time& stamp)
 
 void SimulatedDrives::inject(const fourwis_navigation::InjectFault::Request& request)
 {
-  const auto kind = sim::drive_fault_kind(request.kind);
+  const auto kind = drives::drive_fault_kind(request.kind);
   if (!kind) refuse("inject_fault: kind is '", request.kind, "', expected a word of doc/fake_drives.md");
-  sim::DriveFault fault;
+  drives::DriveFault fault;
   fault.kind = *kind;
   fault.node = request.node;
   fault.begin = base_.drives().time();

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/simulated_robot.h"
+#include "simulated_robot.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/simulation_clock.h"
+#include "simulation_clock.h"
 
 #include <rosgraph_msgs/Clock.h>
 

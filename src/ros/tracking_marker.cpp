@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/tracking_marker.h"
+#include "tracking_marker.h"
 
 #include <cmath>
 #include <sstream>

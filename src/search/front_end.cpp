@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "fourwis_navigation/search/mode_curves.h"
-#include "fourwis_navigation/search/motion_cost.h"
-#include "fourwis_navigation/search/reachability.h"
-#include "fourwis_navigation/search/shortcut.h"
+#include "mode_curves.h"
+#include "motion_cost.h"
+#include "reachability.h"
+#include "shortcut.h"
 
 namespace fourwis
 {

@@ -8,9 +8,9 @@
 #include <queue>
 
 #include "closed_list.h"
-#include "fourwis_navigation/search/mode_curves.h"
-#include "fourwis_navigation/search/motion_cost.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "mode_curves.h"
+#include "motion_cost.h"
 
 namespace fourwis
 {

@@ -1,11 +1,11 @@
-#include "fourwis_navigation/search/mode_curves.h"
+#include "mode_curves.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fourwis_navigation/search/reeds_shepp.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "reeds_shepp.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/motion_cost.h"
+#include "motion_cost.h"
 
 #include <cmath>
 

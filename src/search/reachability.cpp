@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/reachability.h"
+#include "reachability.h"
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/reeds_shepp.h"
+#include "reeds_shepp.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/shortcut.h"
+#include "shortcut.h"
 
 #include <algorithm>
 #include <cmath>

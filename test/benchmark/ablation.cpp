@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
-#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/referee/referee.h"
 #include "fourwis_navigation/search/front_end.h"
-#include "fourwis_navigation/search/motion_cost.h"
+#include "planner/stop_and_steer.h"
+#include "search/motion_cost.h"
 #include "statistics.h"
 
 namespace fourwis::benchmark
@@ -70,7 +70,7 @@ std::vector<std::string> row(const Variant& variant, const Setup& setup, const O
   std::vector<std::string> cells(7, "-");
   if (outcome.found.status == PlanStatus::succeeded)
   {
-    const Referee referee(grid, setup.options.obstacles, setup.robot, setup.options.verify);
+    const Referee referee(grid, setup.options.obstacles, setup.robot, setup.options.referee);
     const Trajectory trajectory = stop_and_steer(path, setup.robot, options.reference_speed);
     cells = {referee.judge(request.start, path.goal, trajectory).accepted() ? "yes" : "no",
              fixed(equivalent_length(path, setup), 3),

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourwis_navigation/planner/back_end.h"
-#include "fourwis_navigation/planner/candidates.h"
 #include "fourwis_navigation/search/front_end.h"
+#include "planner/back_end.h"
+#include "planner/candidates.h"
 #include "statistics.h"
 
 namespace fourwis::benchmark

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "../sim/real_time_drives.h"
-#include "fourwis_navigation/can/bridge_thread.h"
-#include "fourwis_navigation/can/real_time.h"
+#include "../drives/real_time_drives.h"
+#include "fourwis_navigation/can/bridge/bridge_thread.h"
+#include "fourwis_navigation/can/bus/real_time.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis::benchmark

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fourwis_navigation/can/delay_statistics.h"
+#include "fourwis_navigation/can/bridge/delay_statistics.h"
 
 namespace fourwis::benchmark
 {

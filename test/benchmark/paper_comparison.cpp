@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "fourwis_navigation/planner/back_end.h"
-#include "fourwis_navigation/planner/paper_back_end.h"
 #include "fourwis_navigation/search/front_end.h"
 #include "paper_results.h"
+#include "planner/back_end.h"
+#include "planner/paper_back_end.h"
 #include "statistics.h"
 
 namespace fourwis::benchmark

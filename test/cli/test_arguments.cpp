@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/cli/arguments.h"
+#include "cli/arguments.h"
 
 namespace fourwis
 {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/cli/output_file.h"
+#include "cli/output_file.h"
 
 namespace fourwis
 {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/cli/cell_rectangles.h"
-#include "fourwis_navigation/cli/motion_samples.h"
-#include "fourwis_navigation/cli/picture.h"
+#include "cli/cell_rectangles.h"
+#include "cli/motion_samples.h"
+#include "cli/picture.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "fourwis_navigation/cli/plan_command.h"
+#include "cli/plan_command.h"
 #include "fourwis_navigation/map/map_file.h"
 
 namespace fourwis

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "fourwis_navigation/cli/report.h"
+#include "cli/report.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "../../src/corridor/closest_points.h"
+#include "corridor/closest_points.h"
 
 #include <gtest/gtest.h>
 

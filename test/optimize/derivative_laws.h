@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-#include "../../src/optimize/nlp.h"
 #include "../support/random.h"
+#include "optimize/nlp.h"
 
 namespace fourwis
 {

@@ -1,6 +1,6 @@
-#include "../../src/optimize/ocp_nlp.h"
-#include "../../src/optimize/segment_problem.h"
 #include "derivative_laws.h"
+#include "optimize/ocp_nlp.h"
+#include "optimize/segment_problem.h"
 
 namespace fourwis
 {

@@ -8,13 +8,13 @@
 #include <functional>
 #include <limits>
 
-#include "../../src/optimize/ipopt_solver.h"
-#include "../../src/optimize/ocp_nlp.h"
-#include "../../src/optimize/segment_problem.h"
 #include "../support/grids.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "fourwis_navigation/search/front_end.h"
 #include "fourwis_navigation/segment/segment.h"
+#include "optimize/ipopt_solver.h"
+#include "optimize/ocp_nlp.h"
+#include "optimize/segment_problem.h"
 
 namespace fourwis
 {

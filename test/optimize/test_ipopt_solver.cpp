@@ -1,4 +1,4 @@
-#include "../../src/optimize/ipopt_solver.h"
+#include "optimize/ipopt_solver.h"
 
 #include <gtest/gtest.h>
 

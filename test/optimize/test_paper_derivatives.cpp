@@ -1,9 +1,9 @@
 #include <numeric>
 
-#include "../../src/optimize/paper_discs.h"
-#include "../../src/optimize/paper_step.h"
 #include "derivative_laws.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "optimize/paper_discs.h"
+#include "optimize/paper_step.h"
 
 namespace fourwis
 {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "../../src/optimize/paper_problem.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "optimize/paper_problem.h"
 
 namespace fourwis
 {

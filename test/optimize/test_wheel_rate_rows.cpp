@@ -1,4 +1,4 @@
-#include "../../src/optimize/wheel_rate_rows.h"
+#include "optimize/wheel_rate_rows.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/can/bridge.h"
+#include "fourwis_navigation/can/bridge/bridge.h"
 #include "parameter_laws.h"
 
 namespace fourwis

@@ -71,7 +71,7 @@ Subject<PlannerOptions> subject_of()
            {"repairs", [](const O& o) { return double(o.optimize.repairs); }},
            {"shortcut_passes", [](const O& o) { return double(o.search.shortcut_passes); }},
            {"max_expansions", [](const O& o) { return double(o.search.max_expansions); }},
-           {"collision_step", [](const O& o) { return o.verify.collision_step; }},
+           {"collision_step", [](const O& o) { return o.referee.collision_step; }},
            {"planner_patience", [](const O& o) { return o.planner_patience; }}}};
 }
 

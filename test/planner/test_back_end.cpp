@@ -1,13 +1,13 @@
-#include "fourwis_navigation/planner/back_end.h"
+#include "planner/back_end.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
 #include "../support/grids.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
-#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/referee/referee.h"
 #include "fourwis_navigation/search/front_end.h"
+#include "planner/stop_and_steer.h"
 
 namespace fourwis
 {

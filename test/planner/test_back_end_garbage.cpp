@@ -6,9 +6,9 @@
 
 #include "../segment/random_path.h"
 #include "../support/grids.h"
-#include "fourwis_navigation/planner/back_end.h"
 #include "fourwis_navigation/planner/planner.h"
-#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/referee/referee.h"
+#include "planner/back_end.h"
 
 namespace fourwis
 {

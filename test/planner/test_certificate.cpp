@@ -1,12 +1,12 @@
-#include "fourwis_navigation/planner/certificate.h"
+#include "planner/certificate.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "../support/grids.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "planner/stop_and_steer.h"
 
 namespace fourwis
 {

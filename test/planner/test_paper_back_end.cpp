@@ -1,4 +1,4 @@
-#include "fourwis_navigation/planner/paper_back_end.h"
+#include "planner/paper_back_end.h"
 
 #include <gtest/gtest.h>
 

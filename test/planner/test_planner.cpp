@@ -7,7 +7,7 @@
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
-#include "fourwis_navigation/planner/back_end.h"
+#include "planner/back_end.h"
 
 namespace fourwis
 {

@@ -1,11 +1,11 @@
-#include "fourwis_navigation/planner/stop_and_steer.h"
+#include "planner/stop_and_steer.h"
 
 #include <gtest/gtest.h>
 
 #include "../support/drive.h"
 #include "../support/grids.h"
 #include "../support/path_laws.h"
-#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/referee/referee.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
 namespace fourwis

@@ -10,8 +10,8 @@
 
 #include "../support/bus_recorder.h"
 #include "fourwis_navigation/Tracking.h"
-#include "fourwis_navigation/ros/conversions.h"
 #include "inbox.h"
+#include "ros/conversions.h"
 #include "run_rostest.h"
 
 namespace fourwis

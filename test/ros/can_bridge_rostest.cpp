@@ -13,9 +13,9 @@
 #include "fourwis_navigation/InjectFault.h"
 #include "fourwis_navigation/WheelCommands.h"
 #include "fourwis_navigation/WheelStates.h"
-#include "fourwis_navigation/ros/base_topics.h"
 #include "inbox.h"
 #include "node_process.h"
+#include "ros/base_topics.h"
 #include "run_rostest.h"
 
 namespace fourwis

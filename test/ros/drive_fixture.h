@@ -7,7 +7,7 @@
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/WheelStates.h"
 #include "fourwis_navigation/planner/planner.h"
-#include "fourwis_navigation/ros/conversions.h"
+#include "ros/conversions.h"
 #include "run_rostest.h"
 #include "simulated_drive.h"
 

@@ -14,7 +14,7 @@
 
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/Tracking.h"
-#include "fourwis_navigation/ros/conversions.h"
+#include "ros/conversions.h"
 
 namespace fourwis
 {

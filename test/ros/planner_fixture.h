@@ -16,8 +16,8 @@
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/PlanTrajectory.h"
 #include "fourwis_navigation/PlannerStatus.h"
-#include "fourwis_navigation/ros/conversions.h"
 #include "inbox.h"
+#include "ros/conversions.h"
 #include "run_rostest.h"
 
 namespace fourwis

@@ -10,8 +10,8 @@
 
 #include "fourwis_navigation/InjectFault.h"
 #include "fourwis_navigation/Tracking.h"
-#include "fourwis_navigation/ros/conversions.h"
 #include "inbox.h"
+#include "ros/conversions.h"
 
 namespace fourwis
 {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/base_topics.h"
-#include "fourwis_navigation/ros/conversions.h"
+#include "ros/base_topics.h"
+#include "ros/conversions.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/bridge_diagnostics.h"
+#include "ros/bridge_diagnostics.h"
 
 #include <gtest/gtest.h>
 

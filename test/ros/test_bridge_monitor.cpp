@@ -1,11 +1,11 @@
-#include "fourwis_navigation/ros/bridge_monitor.h"
+#include "ros/bridge_monitor.h"
 
 #include <atomic>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/can/real_time.h"
+#include "fourwis_navigation/can/bus/real_time.h"
 
 namespace fourwis
 {

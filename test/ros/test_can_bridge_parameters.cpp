@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/can_bridge_parameters.h"
+#include "ros/can_bridge_parameters.h"
 
 #include <string>
 

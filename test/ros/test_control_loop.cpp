@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/control_loop.h"
-#include "fourwis_navigation/ros/drive_conversions.h"
 #include "refusals.h"
+#include "ros/control_loop.h"
+#include "ros/drive_conversions.h"
 
 namespace fourwis
 {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/controller_topics.h"
-#include "fourwis_navigation/ros/tracking_marker.h"
 #include "refusals.h"
+#include "ros/controller_topics.h"
+#include "ros/tracking_marker.h"
 
 namespace fourwis
 {

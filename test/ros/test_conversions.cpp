@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/conversions.h"
 #include "refusals.h"
+#include "ros/conversions.h"
 
 namespace fourwis
 {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/drive_conversions.h"
+#include "ros/drive_conversions.h"
 
 namespace fourwis
 {

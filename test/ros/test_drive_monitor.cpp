@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/drive_monitor.h"
+#include "ros/drive_monitor.h"
 
 namespace fourwis
 {

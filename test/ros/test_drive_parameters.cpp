@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/drive_parameters.h"
 #include "refusals.h"
+#include "ros/drive_parameters.h"
 
 namespace fourwis
 {

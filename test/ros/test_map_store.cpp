@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <boost/make_shared.hpp>
 
-#include "fourwis_navigation/ros/map_store.h"
+#include "ros/map_store.h"
 
 namespace fourwis
 {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/markers.h"
+#include "ros/markers.h"
 
 namespace fourwis
 {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/map_publisher.h"
-#include "fourwis_navigation/ros/node_parameters.h"
 #include "refusals.h"
+#include "ros/map_publisher.h"
+#include "ros/node_parameters.h"
 
 namespace fourwis
 {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/odometry_pose.h"
 #include "refusals.h"
+#include "ros/conversions.h"
+#include "ros/odometry_pose.h"
 
 namespace fourwis
 {

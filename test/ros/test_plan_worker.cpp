@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fourwis_navigation/ros/plan_worker.h"
+#include "ros/plan_worker.h"
 
 namespace fourwis
 {

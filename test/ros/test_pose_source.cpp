@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
-#include "fourwis_navigation/ros/conversions.h"
-#include "fourwis_navigation/ros/pose_source.h"
 #include "inbox.h"
 #include "refusals.h"
+#include "ros/conversions.h"
+#include "ros/pose_source.h"
 
 namespace fourwis
 {

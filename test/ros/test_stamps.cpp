@@ -1,4 +1,4 @@
-#include "fourwis_navigation/ros/stamps.h"
+#include "ros/stamps.h"
 
 #include <limits>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fourwis_navigation/model/pose.h"
-#include "fourwis_navigation/search/reeds_shepp.h"
+#include "search/reeds_shepp.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "../../src/search/free_headings.h"
+#include "search/free_headings.h"
 
 #include <gtest/gtest.h>
 

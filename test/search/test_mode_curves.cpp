@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/mode_curves.h"
+#include "search/mode_curves.h"
 
 #include <gtest/gtest.h>
 

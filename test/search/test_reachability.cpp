@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/reachability.h"
+#include "search/reachability.h"
 
 #include <gtest/gtest.h>
 

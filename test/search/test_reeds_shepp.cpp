@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/reeds_shepp.h"
+#include "search/reeds_shepp.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "fourwis_navigation/search/reeds_shepp.h"
 #include "reeds_shepp_samples.h"
+#include "search/reeds_shepp.h"
 
 namespace fourwis
 {

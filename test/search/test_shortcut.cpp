@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/shortcut.h"
+#include "search/shortcut.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <vector>
 
+#include "../drives/simulated_drive.h"
 #include "../support/random.h"
 #include "fourwis_navigation/vehicle/wheel_odometry.h"
-#include "simulated_drive.h"
 
 namespace fourwis
 {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fourwis_navigation/can/bridge_options.h"
+#include "fourwis_navigation/can/bridge/bridge_options.h"
 
 namespace fourwis
 {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "../can/temporary_directory.h"
+#include "../can/bus/temporary_directory.h"
 #include "command.h"
 
 namespace fourwis::can

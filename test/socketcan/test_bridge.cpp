@@ -1,7 +1,7 @@
 #include <linux/can/error.h>
 
-#include "../can/bus_laws.h"
-#include "../sim/bridge_fault_cases.h"
+#include "../can/bus/bus_laws.h"
+#include "../drives/bridge_fault_cases.h"
 #include "candump.h"
 #include "vcan_rig.h"
 

@@ -1,6 +1,6 @@
 #include <linux/can/error.h>
 
-#include "../can/bus_laws.h"
+#include "../can/bus/bus_laws.h"
 #include "serial_adapter.h"
 
 namespace fourwis::can

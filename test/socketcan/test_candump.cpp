@@ -1,6 +1,6 @@
 #include <array>
 
-#include "../can/bus_laws.h"
+#include "../can/bus/bus_laws.h"
 #include "candump.h"
 #include "vcan_rig.h"
 

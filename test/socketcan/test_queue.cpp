@@ -1,4 +1,4 @@
-#include "../can/bus_laws.h"
+#include "../can/bus/bus_laws.h"
 #include "vcan_rig.h"
 
 namespace fourwis::can

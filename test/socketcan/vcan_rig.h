@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "command.h"
-#include "fourwis_navigation/can/bus.h"
+#include "fourwis_navigation/can/bus/bus.h"
 
 namespace fourwis::can
 {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fourwis_navigation/can/bus.h"
+#include "fourwis_navigation/can/bus/bus.h"
 
 namespace fourwis
 {

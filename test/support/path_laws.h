@@ -6,8 +6,8 @@
 #include "drive.h"
 #include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/model/path.h"
-#include "fourwis_navigation/search/motion_cost.h"
 #include "random.h"
+#include "search/motion_cost.h"
 
 namespace fourwis
 {

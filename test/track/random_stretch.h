@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "../../src/track/roll_out.h"
 #include "../support/random.h"
 #include "fourwis_navigation/model/trajectory.h"
+#include "track/roll_out.h"
 
 namespace fourwis
 {

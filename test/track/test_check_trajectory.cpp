@@ -1,4 +1,4 @@
-#include "../../src/track/check_trajectory.h"
+#include "track/check_trajectory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "../../src/track/creep.h"
+#include "track/creep.h"
 
 #include <gtest/gtest.h>
 
-#include "../../src/track/roll_out.h"
 #include "../support/random.h"
+#include "track/roll_out.h"
 
 namespace fourwis
 {

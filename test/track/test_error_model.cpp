@@ -1,10 +1,10 @@
-#include "../../src/track/error_model.h"
+#include "track/error_model.h"
 
 #include <gtest/gtest.h>
 
-#include "../../src/track/roll_out.h"
 #include "../support/random.h"
 #include "fourwis_navigation/vehicle/wheels.h"
+#include "track/roll_out.h"
 
 namespace fourwis
 {

@@ -1,4 +1,4 @@
-#include "../../src/track/forecast.h"
+#include "track/forecast.h"
 
 #include <gtest/gtest.h>
 

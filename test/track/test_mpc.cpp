@@ -1,4 +1,4 @@
-#include "../../src/track/mpc.h"
+#include "track/mpc.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "../../src/track/reference.h"
 #include "../support/random.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "track/reference.h"
 #include "track_fixture.h"
 
 namespace fourwis

@@ -1,4 +1,4 @@
-#include "../../src/track/reference.h"
+#include "track/reference.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "fourwis_navigation/model/path.h"
-#include "fourwis_navigation/planner/stop_and_steer.h"
 #include "fourwis_navigation/track/tracker.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "ideal_base.h"
+#include "planner/stop_and_steer.h"
 
 namespace fourwis
 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "fourwis_navigation/can/bridge_options.h"
+#include "fourwis_navigation/can/bridge/bridge_options.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "fourwis_navigation/sim/simulator_options.h"

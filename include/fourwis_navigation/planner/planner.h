@@ -12,7 +12,7 @@
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/planner/refinement_round.h"
-#include "fourwis_navigation/planner/verify.h"
+#include "fourwis_navigation/referee/referee.h"
 #include "fourwis_navigation/search/search_options.h"
 
 namespace fourwis
@@ -23,7 +23,7 @@ struct PlannerOptions
   ObstacleRule obstacles;
   SearchOptions search;
   OptimizeOptions optimize;
-  VerifyOptions verify;
+  RefereeOptions referee;
   double planner_patience = 5.0;  ///< wall-clock deadline of one plan [s]; then PlanStatus::timeout
 };
 
@@ -59,7 +59,7 @@ private:
         std::chrono::steady_clock::time_point begin);
 };
 
-/// grid -> search -> paths -> segments -> corridors <-> optimisation -> trajectory -> verify. Deterministic: same input, same output; only an Interrupt depends on
+/// grid -> search -> paths -> segments -> corridors <-> optimisation -> trajectory -> referee. Deterministic: same input, same output; only an Interrupt depends on
 /// the clock. One planner may be used from several threads.
 class Planner
 {

@@ -9,7 +9,7 @@ namespace fourwis
 
 /// Keeps wheels that point somewhere else from driving: a command of another mode than the one before, or with angles
 /// far from it, first waits for standstill, then turns the wheels, then waits until they are aligned, and only then
-/// lets them drive. On a bus the bridge keeps this promise, by code of its own on purpose (src/can/interlock.h): neither
+/// lets them drive. On a bus the bridge keeps this promise, by code of its own on purpose (src/can/bridge/interlock.h): neither
 /// hides a mistake of the other. Rules and thresholds of both are those of doc/can_bridge.md.
 class Interlock
 {

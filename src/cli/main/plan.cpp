@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "fourwis_navigation/cli/plan_command.h"
+#include "../plan_command.h"
 
 int main(int argc, char** argv)
 {

@@ -1,6 +1,6 @@
-#include "fourwis_navigation/ros/node_main.h"
-#include "fourwis_navigation/ros/simulated_drives.h"
-#include "fourwis_navigation/ros/simulated_robot.h"
+#include "../node_main.h"
+#include "../simulated_drives.h"
+#include "../simulated_robot.h"
 
 int main(int argc, char** argv)
 {

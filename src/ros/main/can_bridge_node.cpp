@@ -2,8 +2,8 @@
 
 #include <ros/spinner.h>
 
-#include "fourwis_navigation/ros/can_bridge.h"
-#include "fourwis_navigation/ros/node_main.h"
+#include "../can_bridge.h"
+#include "../node_main.h"
 
 namespace
 {

@@ -1,5 +1,5 @@
-#include "fourwis_navigation/ros/global_planner.h"
-#include "fourwis_navigation/ros/node_main.h"
+#include "../global_planner.h"
+#include "../node_main.h"
 
 int main(int argc, char** argv)
 {

@@ -1,5 +1,5 @@
-#include "fourwis_navigation/ros/mpc_controller.h"
-#include "fourwis_navigation/ros/node_main.h"
+#include "../mpc_controller.h"
+#include "../node_main.h"
 
 int main(int argc, char** argv)
 {

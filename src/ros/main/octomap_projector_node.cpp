@@ -1,6 +1,6 @@
+#include "../map_publisher.h"
+#include "../node_main.h"
 #include "fourwis_navigation/map/octomap_projection.h"
-#include "fourwis_navigation/ros/map_publisher.h"
-#include "fourwis_navigation/ros/node_main.h"
 
 int main(int argc, char** argv)
 {

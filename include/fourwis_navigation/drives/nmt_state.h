@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fourwis::drives
+{
+
+/// The states of a CANopen node, as its heartbeat says them.
+enum class NmtState : std::uint8_t
+{
+  initialising = 0,
+  stopped = 4,
+  operational = 5,
+  pre_operational = 127
+};
+
+}  // namespace fourwis::drives

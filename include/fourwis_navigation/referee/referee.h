@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
+
+namespace fourwis
+{
+
+namespace referee
+{
+class ObstacleCells;
+}
+
+/// What the referee insists on; DESIGN.md sections 3 and 8.
+struct RefereeOptions
+{
+  double collision_step = 0.01;      ///< greatest motion of any body point between two collision checks [m], >= 1e-4
+  double rollout_position = 0.005;   ///< rolling out from one point must meet the next within this [m]
+  double rollout_angle = 0.01;       ///< and this [rad]
+  double endpoint_position = 0.001;  ///< start and goal are met within this [m]
+  double endpoint_angle = 0.001;     ///< and this [rad]
+  double limit_tolerance = 1e-6;     ///< relative excess of a limit that still counts as rounding
+};
+
+/// One broken promise.
+struct Violation
+{
+  int point = 0;     ///< index of the trajectory point at or after which it happens
+  double t = 0.0;    ///< when [s]
+  std::string what;  ///< quantity, value, limit: a sentence
+};
+
+struct Verdict
+{
+  std::vector<Violation> violations;  ///< empty: accepted. At most five of a kind, in the order of the points
+  /// Least distance of the rectangle to an obstacle cell or the border of the grid [m]; 0 when touching or overlapping.
+  /// Exact at the poses looked at, which are so close that it is at most 1/8 or half a collision_step too large. 0 when
+  /// the points were no trajectory at all, and then so are the numbers below.
+  double min_clearance = 0.0;
+  double max_rollout_position = 0.0;     ///< worst miss of a rolled-out step [m]
+  double max_rollout_angle = 0.0;        ///< likewise [rad]
+  double terminal_position_error = 0.0;  ///< TPE [m]
+  double terminal_yaw_error = 0.0;       ///< TYE [rad]
+
+  bool accepted() const { return violations.empty(); }
+};
+
+/// Judges trajectories on one grid. It shares no code with what it judges: own kinematics, own integration, own
+/// collision check of the exact rectangle against the grid's cells. Safe to use from several threads at once.
+///
+/// A trajectory is accepted when
+///  1. it has a point, starts at t = 0, its times increase, its numbers are finite, its modes are planned ones;
+///  2. it starts at rest at the start pose and ends at rest at the goal pose. Start equal to goal: one point will do;
+///  3. between neighbours of one mode, v and phi taken as linear in time, the re-integrated kinematics meet the next
+///     point (theta is not wrapped), and `a` and `omega` say the same as the differences, to 1e-3 of the limits;
+///  4. speed, acceleration, steering angle (in parallel mode: within the wheels' travel) and steering rate keep their
+///     limits;
+///  5. between neighbours of different modes the pose stays (1e-6 m, 1e-6 rad), v = 0 (1e-6 m/s), and the time suffices
+///     for t_switch and for each wheel to turn from its old to its new angle;
+///  6. each wheel keeps its rate and speed, and within each stretch without rest some branch (angle + k pi) of its
+///     angle stays within its travel. At rest a wheel may turn the shorter way, modulo pi, that its travel allows;
+///  7. the interior of the body's rectangle meets no obstacle cell and does not leave the grid. Touching is allowed,
+///     and an overlap of 1e-9 m still counts as touching;
+///  8. it is not longer than anything sensible (20 km).
+class Referee
+{
+public:
+  /// Throws std::invalid_argument naming field, value and what was expected when grid, robot or options are unusable.
+  /// Time linear in the number of cells; the grid is not kept.
+  Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options = {});
+
+  /// Never throws on a bad trajectory, whatever is in it: NaN, empty, times running backward are violations.
+  Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
+
+  /// The first promise about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted
+  /// on another grid: where the body would meet what has been added since.
+  std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
+
+private:
+  std::shared_ptr<const referee::ObstacleCells> cells_;
+  Robot robot_;
+  RefereeOptions options_;
+};
+
+}  // namespace fourwis

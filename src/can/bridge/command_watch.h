@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fourwis_navigation/can/bridge/bridge_options.h"
+#include "fourwis_navigation/model/wheels.h"
+
+namespace fourwis::can
+{
+
+/// Keeps the newest command and knows how old it is.
+class CommandWatch
+{
+public:
+  enum class Verdict
+  {
+    taken,
+    overtaken,  ///< older than the one before by its sequence: not taken
+    late,       ///< not taken: older than the timeout
+    invalid     ///< not taken: something in it is no number, no mode, or beyond a wheel's travel
+  };
+
+  CommandWatch(const Robot& robot, const BridgeOptions& options)
+    : max_angle_(robot.wheel_max_angle),
+      timeout_(options.command_timeout)
+  {}
+
+  /// `made`: when somebody gave it [s].
+  Verdict take(const WheelCommand& command, double made, double now);
+
+  /// The last one that was taken, or a stop.
+  const WheelCommand& newest() const { return newest_; }
+
+  /// There was one, and it is too old to be followed.
+  bool expired(double now) const { return any_ && now - made_ > timeout_; }
+
+  /// As if there had never been one; what it was is still known.
+  void forget();
+
+private:
+  bool is_valid(const WheelCommand& command) const;
+
+  double max_angle_, timeout_;
+  bool any_ = false;
+  double made_ = 0.0;  ///< the newest
+  WheelCommand newest_;
+};
+
+}  // namespace fourwis::can

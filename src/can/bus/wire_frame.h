@@ -1,0 +1,16 @@
+#pragma once
+
+#include <linux/can.h>
+
+#include "fourwis_navigation/can/protocol/frame.h"
+
+namespace fourwis::can
+{
+
+/// The kernel's form of a valid frame.
+can_frame to_wire(const Frame& frame);
+
+/// False, and `frame` as it was, for what is no classic frame.
+bool from_wire(const can_frame& wire, Frame& frame);
+
+}  // namespace fourwis::can

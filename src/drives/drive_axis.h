@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fourwis_navigation/can/bridge/axis_scale.h"
+#include "fourwis_navigation/can/bridge/bridge_options.h"
+#include "fourwis_navigation/drives/fake_drive.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/sim/plant.h"
+
+namespace fourwis::drives
+{
+
+/// A drive and the axis of the base that its motor turns.
+class DriveAxis
+{
+public:
+  static DriveAxis steering(const Robot& robot, const can::BridgeOptions& options, int wheel);
+  static DriveAxis driving(const Robot& robot, const can::BridgeOptions& options, int wheel);
+
+  int node() const { return node_; }
+  FakeDrive& drive() { return drive_; }
+  const FakeDrive& drive() const { return drive_; }
+
+  /// Shows the drive what its motor has done in the step of `dt` [s] until `now`.
+  void measure(const Plant& plant, double now, double dt);
+  /// Turns the axis as the drive asks for the next `dt` [s]. `stuck`: it does not move; `dead`: it has no torque.
+  void actuate(Plant& plant, double dt, bool stuck, bool dead);
+
+private:
+  DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers,
+            const DriveOptions& drive);
+
+  void steer(Plant& plant, const AxisDemand& demand, double dt, bool powered);
+  void roll(Plant& plant, const AxisDemand& demand, bool stuck, bool powered);
+
+  int node_, wheel_;
+  bool steers_;
+  double counts_per_unit_;  ///< count/rad where it steers, count/m where it drives
+  double offset_;           ///< where its count is 0 [rad or m]
+  FakeDrive drive_;
+  AxisMotion motor_;
+  double position_ = 0.0;   ///< [rad] or rolled [m]
+  double reference_ = 0.0;  ///< angle of a steering axis that is asked for a velocity [rad]
+};
+
+}  // namespace fourwis::drives

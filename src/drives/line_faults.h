@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "fault_schedule.h"
+#include "fourwis_navigation/can/protocol/frame.h"
+
+namespace fourwis::drives
+{
+
+/// What faults make of the frames between a drive that works and the bus.
+class LineFaults
+{
+public:
+  explicit LineFaults(const FaultSchedule& faults) : faults_(faults) {}
+
+  /// Whether the node gets to see a frame of the bus.
+  bool hears(int node, const can::Frame& frame) const;
+  /// What answers in place of a node that refuses every request.
+  std::optional<can::Frame> refusal(int node, const can::Frame& frame) const;
+  /// What becomes of a frame that the node sends.
+  std::optional<can::Frame> passes(int node, can::Frame frame);
+
+private:
+  bool has(DriveFaultKind kind, int node) const { return faults_.active(kind, node) != nullptr; }
+
+  const FaultSchedule& faults_;
+  std::map<int, can::Frame> last_status_;
+};
+
+}  // namespace fourwis::drives

@@ -1,0 +1,126 @@
+#include "fourwis_navigation/referee/referee.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "motion.h"
+#include "obstacle_cells.h"
+#include "promises.h"
+#include "rollout.h"
+
+namespace fourwis
+{
+namespace
+{
+
+void require(const char* name, double value, double least, double greatest)
+{
+  if (value >= least && value <= greatest) return;
+  throw std::invalid_argument("referee: " + std::string(name) + " " + std::to_string(value) + ", expected between " +
+                              std::to_string(least) + " and " + std::to_string(greatest));
+}
+
+void check(const Robot& robot)
+{
+  for (const auto& [name, size] : {std::pair("length", robot.length),
+                                   {"width", robot.width},
+                                   {"wheelbase", robot.wheelbase},
+                                   {"track_width", robot.track_width}})
+    require(name, size, 1e-2, 1e3);
+  for (const auto& [name, limit] : {std::pair("max_steering_rate", robot.max_steering_rate),
+                                    {"max_speed", robot.max_speed},
+                                    {"max_acceleration", robot.max_acceleration},
+                                    {"wheel_max_rate", robot.wheel_max_rate},
+                                    {"wheel_max_speed", robot.wheel_max_speed}})
+    require(name, limit, 1e-6, 1e6);
+  require("max_steering_angle", robot.max_steering_angle, 0.0, 1.57);
+  require("wheel_max_angle", robot.wheel_max_angle, 1e-6, 4.0 * M_PI);
+  require("mode_switch_time", robot.mode_switch_time, 0.0, 1e6);
+}
+
+void check(const RefereeOptions& options)
+{
+  require("collision_step", options.collision_step, 1e-4, 1.0);
+  for (const auto& [name, tolerance] : {std::pair("rollout_position", options.rollout_position),
+                                        {"rollout_angle", options.rollout_angle},
+                                        {"endpoint_position", options.endpoint_position},
+                                        {"endpoint_angle", options.endpoint_angle},
+                                        {"limit_tolerance", options.limit_tolerance}})
+    require(name, tolerance, 0.0, 1.0);
+}
+
+/// The place at time t on the way from one point towards the next.
+TrajectoryPoint place_between(const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to, double t)
+{
+  TrajectoryPoint place = from;
+  place.t = t;
+  if (from.mode != to.mode) return place;
+  referee::Rollout rollout(robot, from, to);
+  const double share = (t - from.t) / (to.t - from.t);
+  rollout.advance(share);
+  place.x = rollout.x();
+  place.y = rollout.y();
+  place.theta = rollout.theta();
+  place.v += share * (to.v - from.v);
+  place.phi += share * (to.phi - from.phi);
+  return place;
+}
+
+/// What is left of a trajectory at time t.
+Trajectory rest_of(const Robot& robot, const Trajectory& trajectory, double t)
+{
+  const auto next = std::find_if(trajectory.begin(), trajectory.end(), [t](const auto& point) { return point.t > t; });
+  if (next == trajectory.begin()) return trajectory;
+  if (next == trajectory.end()) return {trajectory.back()};
+  Trajectory rest{place_between(robot, *std::prev(next), *next, t)};
+  rest.insert(rest.end(), next, trajectory.end());
+  return rest;
+}
+
+}  // namespace
+
+Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options)
+  : cells_(std::make_shared<referee::ObstacleCells>(grid, rule)),
+    robot_(robot),
+    options_(options)
+{
+  check(robot_);
+  check(options_);
+}
+
+Verdict Referee::judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const
+{
+  Verdict verdict;
+  referee::Report report;
+  const referee::Court court{robot_, options_, trajectory, report};
+  if (referee::check_form(court))
+  {
+    verdict.terminal_position_error = distance(trajectory.back().pose(), goal);
+    verdict.terminal_yaw_error = std::abs(wrap_angle(trajectory.back().theta - goal.theta));
+    referee::check_ends(court, start, goal);
+    referee::check_limits(court);
+    referee::check_wheels(court);
+    referee::check_motion(court, *cells_, verdict);
+  }
+  verdict.violations = report.sorted();
+  return verdict;
+}
+
+std::optional<Violation> Referee::first_violation_from(double t, const Trajectory& accepted) const
+{
+  if (accepted.empty()) return std::nullopt;
+  const Trajectory rest = rest_of(robot_, accepted, t);
+  Verdict verdict;
+  referee::Report report;
+  referee::check_motion({robot_, options_, rest, report}, *cells_, verdict);
+  const std::vector<Violation> violations = report.sorted();
+  if (violations.empty()) return std::nullopt;
+  Violation first = violations.front();
+  first.point += static_cast<int>(accepted.size() - rest.size());
+  return first;
+}
+
+}  // namespace fourwis

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/time.h>
+
+#include "drive_monitor.h"
+#include "map_planner.h"
+#include "map_store.h"
+#include "node_parameters.h"
+#include "planner_topics.h"
+#include "pose_source.h"
+
+namespace fourwis
+{
+
+/// A goal whose form is right.
+struct Goal
+{
+  geometry_msgs::PoseStamped asked;  ///< as somebody asked for it
+  Pose pose;                         ///< in the global frame
+  ros::Time given;                   ///< when
+};
+
+struct GoalOutcome
+{
+  enum class End
+  {
+    reached,  ///< without a controller: the plan is published
+    failed,
+    cancelled
+  };
+
+  End end;
+  std::string message;
+};
+
+/// Brings the robot to goals: to rest, a plan from there, on its way, and again from the start when the way is blocked or the
+/// controller gives up. Without a controller it is the plan alone. To be called from one thread.
+class Execution
+{
+public:
+  /// All must outlive this. `monitor` hears the controller.
+  Execution(const GlobalPlannerOptions& options, const PoseSource& poses, const MapStore& maps,
+            const MapPlanner& planner, DriveMonitor& monitor, PlannerTopics& topics);
+
+  /// Returns when the goal has come to its end, or soon after `cancelled` has become true. Then the robot is left as it
+  /// is: the next goal, or halt(), stops it.
+  GoalOutcome pursue(const Goal& goal, const std::atomic<bool>& cancelled);
+
+  /// Stops the robot unless it is at rest.
+  void halt();
+
+private:
+  /// One goal on its way.
+  struct Trip
+  {
+    const Goal& goal;
+    const std::atomic<bool>& cancelled;
+    ros::Time occasion;  ///< when there was a reason to plan,
+    std::string reason;  ///< and which
+    int attempts_left;   ///< after the controller has given up
+    Trajectory trajectory;
+  };
+  /// Empty: the trip goes on.
+  using Ended = std::optional<GoalOutcome>;
+
+  // What is done for a goal, in this order; again from the first when the last has not come to an end.
+  Ended come_to_rest(Trip& trip);
+  Ended send_plan(Trip& trip);
+  Ended drive(Trip& trip);
+
+  Ended send(Trip& trip, const PlanAnswer& answer, const ros::Time& begin);
+  Ended given_up(Trip& trip, const DriveReport& report);
+  /// Looks at each map once: what lies on the way from t [s] on is the trip's reason to plan anew.
+  bool is_blocked(Trip& trip, double t, MapStore::Snapshot& checked) const;
+  GoalOutcome arrived(const Trip& trip, const DriveReport& report);
+  GoalOutcome failed(const Trip& trip, const std::string& message);
+  GoalOutcome cancelled(const Trip& trip);
+  void send_stop(const ros::Time& begin);
+  ros::Time distinct(const ros::Time& stamp) const;
+
+  const GlobalPlannerOptions options_;
+  const PoseSource& poses_;
+  const MapStore& maps_;
+  const MapPlanner& planner_;
+  DriveMonitor& monitor_;
+  PlannerTopics& topics_;
+  ros::Time sent_;  ///< header.stamp of the trajectory or stop that was sent last
+};
+
+}  // namespace fourwis

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <message_filters/subscriber.h>
+#include <message_filters/time_synchronizer.h>
+#include <ros/message_event.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <ros/timer.h>
+#include <tf2/buffer_core.h>
+#include <tf2_ros/transform_listener.h>
+
+#include "control_loop.h"
+#include "controller_diagnostics.h"
+#include "controller_topics.h"
+
+namespace fourwis
+{
+
+/// The controller's node: drives the robot along what comes on `trajectory`, as long as the sender, who listens to what becomes
+/// of it, is there. DESIGN.md section 4 lists its topics. All callbacks, tf's too, are on the global queue: spin it with one
+/// thread.
+class MpcController
+{
+public:
+  explicit MpcController(const MpcControllerParameters& parameters);
+
+private:
+  void on_trajectory(const ros::MessageEvent<const fourwis_navigation::ModeTrajectory>& trajectory);
+  /// Stops when it was this node that sent what is driven. Whoever does not listen to begin with is not missed.
+  void on_listener_left(const std::string& node);
+  void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
+  void on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels);
+  void on_pair(const nav_msgs::OdometryConstPtr& odometry, const fourwis_navigation::WheelStatesConstPtr& wheels);
+  void watch(const ros::Time& now);
+  void publish(const std::optional<ControlStep>& step);
+
+  const std::string global_frame_;
+  std::string sender_;  ///< of the trajectory that was taken last
+  ros::NodeHandle node_;
+  tf2::BufferCore tf_;
+  tf2_ros::TransformListener tf_listener_;
+  ControllerTopics topics_;
+  ControllerDiagnostics diagnostics_;
+  ControlLoop loop_;
+  ros::Subscriber trajectory_;
+  message_filters::Subscriber<nav_msgs::Odometry> odom_;
+  message_filters::Subscriber<fourwis_navigation::WheelStates> wheel_states_;
+  message_filters::TimeSynchronizer<nav_msgs::Odometry, fourwis_navigation::WheelStates> pairs_;
+  ros::Timer watchdog_;
+};
+
+}  // namespace fourwis

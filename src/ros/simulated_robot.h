@@ -1,0 +1,33 @@
+#pragma once
+
+#include "direct_base.h"
+#include "direct_base_faults.h"
+#include "fault_services.h"
+#include "fourwis_navigation/sim/base_simulator.h"
+#include "ideal_localization.h"
+#include "simulation_clock.h"
+
+namespace fourwis
+{
+
+/// The simulator's node without a bus: a base, somebody who knows where it really is, and the time in which this
+/// happens. Spin it with one thread.
+class SimulatedRobot
+{
+public:
+  /// Throws ConfigError where it is to publish a clock that nobody follows.
+  explicit SimulatedRobot(const BaseSimulatorParameters& parameters);
+
+private:
+  void cycle(const ros::Time& end);
+
+  const double period_;  ///< of a cycle [s]
+  BaseSimulator simulator_;
+  DirectBase base_;
+  IdealLocalization localization_;
+  DirectBaseFaults faults_;
+  FaultServices fault_services_;
+  SimulationClock clock_;  ///< last: calls for the first cycle when all else is there
+};
+
+}  // namespace fourwis

@@ -1,0 +1,303 @@
+// The referee's collision check and clearance beside brute force: separating axes and distances of all edges, for every
+// cell of the grid.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <thread>
+
+#include "../planner/brute_clearance.h"
+#include "referee_script.h"
+
+namespace fourwis
+{
+namespace
+{
+
+class Dice
+{
+public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+  double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+
+  OccupancyGrid grid(double resolution, double share, int cells)
+  {
+    OccupancyGrid grid = empty_grid(cells, cells + integer(-10, 10), resolution,
+                                    {real(-9.0, 9.0), real(-9.0, 9.0), integer(0, 3) ? real(-4.0, 4.0) : 0.0});
+    for (auto& value : grid.data)
+      if (real(0.0, 1.0) < share) value = static_cast<std::int8_t>(integer(0, 1) ? 100 : -1);
+    return grid;
+  }
+
+  /// A pose in the map frame somewhere on the grid, a little beyond it now and then.
+  Pose pose(const OccupancyGrid& grid)
+  {
+    const double w = grid.width * grid.resolution, h = grid.height * grid.resolution;
+    const double theta = integer(0, 4) ? real(-7.0, 7.0) : integer(-4, 4) * M_PI_4;
+    const double turn = integer(0, 1) ? theta : theta - grid.origin.theta;
+    return compose(grid.origin, {real(-0.02, 1.02) * w, real(-0.02, 1.02) * h, turn});
+  }
+
+private:
+  std::mt19937 engine_;
+};
+
+Verdict stand(const Referee& referee, const Pose& pose)
+{
+  return referee.judge(pose, pose, Script(pose, Mode::ackermann).points());
+}
+
+TEST(VerifyCollision, OfStandingBodiesAgreesWithBruteForceOnRandomGrids)
+{
+  int free = 0, colliding = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Dice dice(seed);
+    const double resolution = std::array<double, 5>{0.02, 0.05, 0.1, 0.31, 1.0}[seed % 5];
+    const OccupancyGrid grid = dice.grid(resolution, dice.real(0.0, 1.0) * 0.3 * resolution, dice.integer(60, 140));
+    Robot robot;
+    if (seed % 3 == 0) robot.length = dice.real(0.1, 1.5), robot.width = dice.real(0.1, 1.5);
+    const ObstacleRule rule{65, seed % 2 == 0};
+    const Referee referee(grid, rule, robot);
+    const std::vector<Quad> cells = obstacles(grid, rule);
+    for (int k = 0; k < 20; ++k)
+    {
+      const Pose pose = dice.pose(grid);
+      const double expected = brute_clearance(grid, cells, pose, robot);
+      if (std::abs(expected) < 1e-7) continue;
+      const Verdict verdict = stand(referee, pose);
+      ASSERT_EQ(verdict.accepted(), expected > 0.0) << "clearance " << expected << "\n" << sentences(verdict);
+      ASSERT_EQ(complains_of(verdict, "collision"), expected < 0.0);
+      ASSERT_NEAR(verdict.min_clearance, std::max(0.0, expected), 1e-9);
+      ++(expected > 0.0 ? free : colliding);
+    }
+  }
+  EXPECT_GT(free, 200);
+  EXPECT_GT(colliding, 200);
+}
+
+TEST(VerifyCollision, SeesASingleCellWhereverItIsUnderTheBody)
+{
+  Dice dice(7);
+  const Pose pose{2.0, 2.0, 0.7};
+  int inside = 0;
+  for (int k = 0; k < 400; ++k)
+  {
+    OccupancyGrid grid = empty_grid(90, 90, 0.05, {dice.real(-0.1, 0.1), dice.real(-0.1, 0.1), 0.0});
+    const int column = dice.integer(25, 55), row = dice.integer(25, 55);
+    occupy(grid, column, row);
+    const double expected = separation(body(pose), cell(grid, column, row));
+    const Verdict verdict = stand(Referee(grid, {}, {}), pose);
+    EXPECT_EQ(verdict.accepted(), expected >= 0.0) << column << ' ' << row << ' ' << expected;
+    if (expected >= 0.0) continue;
+    ++inside;
+    EXPECT_TRUE(complains_of(verdict, "column " + std::to_string(column) + ", row " + std::to_string(row)));
+  }
+  EXPECT_GT(inside, 50);
+}
+
+TEST(VerifyCollision, TouchingIsFree)
+{
+  // Body 1.0 x 0.6 at (2, 2): its edges lie on cell borders, and cells touch it on all sides and at its corners.
+  Robot robot;
+  robot.width = 0.6;
+  OccupancyGrid grid = empty_grid(40, 40, 0.1);
+  for (int column = 14; column <= 25; ++column) occupy(grid, column, 16), occupy(grid, column, 23);
+  for (int row = 16; row <= 23; ++row) occupy(grid, 14, row), occupy(grid, 25, row);
+  const Referee referee(grid, {}, robot);
+  const Verdict touching = stand(referee, {2.0, 2.0, 0.0});
+  EXPECT_TRUE(touching.accepted()) << sentences(touching);
+  EXPECT_NEAR(touching.min_clearance, 0.0, 1e-12);
+  EXPECT_TRUE(stand(referee, {2.0, 2.0, M_PI}).accepted());
+  for (const Pose& deeper : {Pose{2.00001, 2.0, 0.0}, Pose{1.99999, 2.0, 0.0}, Pose{2.0, 2.00001, 0.0},
+                             Pose{2.0, 1.99999, 0.0}, Pose{2.0, 2.0, 0.0001}, Pose{2.0, 2.0, M_PI_2}})
+    EXPECT_FALSE(stand(referee, deeper).accepted()) << deeper.x << ' ' << deeper.y << ' ' << deeper.theta;
+}
+
+TEST(VerifyCollision, TheBorderOfTheGridMayBeTouchedButNotCrossed)
+{
+  const Pose origin{3.0, -2.0, 0.5};
+  const OccupancyGrid grid = empty_grid(50, 40, 0.1, origin);  // 5 m x 4 m
+  const Referee referee(grid, {}, {});
+  for (const auto& [x, y] : {std::pair(0.5, 2.0), {4.5, 2.0}, {2.0, 0.31}, {2.0, 3.69}})
+  {
+    const Verdict verdict = stand(referee, compose(origin, {x, y, 0.0}));
+    EXPECT_TRUE(verdict.accepted()) << sentences(verdict);
+    EXPECT_NEAR(verdict.min_clearance, 0.0, 1e-9);
+  }
+  for (const auto& [x, y] : {std::pair(0.49999, 2.0), {4.50001, 2.0}, {2.0, 0.30999}, {2.0, 3.69001}, {-50.0, 2.0}})
+    EXPECT_TRUE(complains_of(stand(referee, compose(origin, {x, y, 0.0})), "leaves the grid")) << x << ' ' << y;
+}
+
+TEST(VerifyCollision, CellsAreObstaclesByTheRule)
+{
+  const auto collides = [](std::int8_t value, const ObstacleRule& rule) {
+    OccupancyGrid grid = empty_grid(60, 60, 0.05);
+    occupy(grid, 30, 30, value);
+    return !stand(Referee(grid, rule, {}), {1.5, 1.5, 0.0}).accepted();
+  };
+  EXPECT_FALSE(collides(64, {65, true}));
+  EXPECT_TRUE(collides(65, {65, true}));
+  EXPECT_TRUE(collides(-1, {65, true}));
+  EXPECT_FALSE(collides(-1, {65, false}));
+  EXPECT_TRUE(collides(101, {65, true}));
+}
+
+TEST(VerifyCollision, SeesAPostBetweenTwoPointsFarApart)
+{
+  OccupancyGrid grid = empty_grid(300, 80, 0.05);
+  const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(1.0, 10.0);
+  EXPECT_TRUE(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).accepted());
+  occupy(grid, 150, 40);
+  const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+  ASSERT_EQ(verdict.violations.size(), 1u) << sentences(verdict);
+  EXPECT_EQ(verdict.violations[0].point, 1);
+  EXPECT_NEAR(verdict.violations[0].t, (7.5 - 0.5 - 1.125) + 0.25, 0.02);  // the front edge reaches x = 7.5 m
+}
+
+TEST(VerifyCollision, SeesThatACellIsGrazedByMicrometres)
+{
+  // The left edge of the body runs along y = 2.31, the cell's lower edge along y = 2.31 + gap.
+  for (const double speed : {0.3, 0.7, 1.0})
+    for (const double gap : {-1e-5, 1e-5})
+    {
+      OccupancyGrid grid = empty_grid(300, 80, 0.05, {0.0, 0.01 + gap, 0.0});
+      occupy(grid, 150, 46);
+      const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(speed, 10.0 / speed);
+      const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+      EXPECT_EQ(verdict.accepted(), gap > 0.0) << sentences(verdict);
+      EXPECT_NEAR(verdict.min_clearance, std::max(gap, 0.0), 1e-9);
+    }
+}
+
+TEST(VerifyCollision, SeesACornerNickedForLittleMoreThanAMillimetre)
+{
+  // The front left corner of the body moves down to the right past the lower left corner of a cell, at (3, 3).
+  OccupancyGrid grid = empty_grid(120, 120, 0.05);
+  occupy(grid, 60, 60);
+  const Referee referee(grid, {}, {});
+  for (const double depth : {0.00065, -0.0005})
+    for (int k = 0; k < 60; ++k)
+    {
+      SCOPED_TRACE("depth " + std::to_string(depth) + ", phase " + std::to_string(k));
+      const double before = 0.7 + 0.0003 * k, beside = depth * M_SQRT1_2;
+      const Pose start{3.0 + beside - before - 0.5, 3.0 + beside + before - 0.31, 0.0};
+      const Script script = Script(start, Mode::parallel, -M_PI_4).drive(0.7, 2.5);
+      const Verdict verdict = referee.judge(script.start(), script.end(), script.points());
+      ASSERT_EQ(verdict.accepted(), depth < 0.0) << sentences(verdict);
+      ASSERT_NEAR(verdict.min_clearance, depth < 0.0 ? 0.0008 : 0.0, 0.0004);
+    }
+}
+
+TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
+{
+  for (const double heading : {0.0, M_PI})  // towards the wall, away from it
+    for (const double gap : {0.003, 0.0437, 0.291})
+    {
+      OccupancyGrid grid = empty_grid(120, 80, 0.05);
+      for (int row = 0; row < 80; ++row) occupy(grid, 100, row);
+      const Script there = Script({}, Mode::ackermann).drive(0.7, 2.0);
+      const double x = 5.0 - 0.5 - gap - (heading == 0.0 ? there.end().x : 0.0);
+      const Script script = Script({x, 2.0, heading}, Mode::ackermann).drive(0.7, 2.0);
+      EXPECT_NEAR(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).min_clearance, gap, 1e-9);
+    }
+}
+
+/// A random drive in one or two modes with phi changing in motion; limits are not its concern.
+Script random_drive(Dice& dice, const Pose& start)
+{
+  Script script(start, kPlannedModes[static_cast<std::size_t>(dice.integer(0, 2))], dice.real(-0.5, 0.5));
+  for (int k = dice.integer(1, 2); k > 0; --k)
+  {
+    script.go(0.5, dice.real(-1.0, 1.0), dice.real(-0.5, 0.5)).go(1.0, dice.real(-1.0, 1.0), dice.real(-0.5, 0.5));
+    script.go(0.5, 0.0, dice.real(-0.5, 0.5));
+    if (k > 1) script.switch_to(kPlannedModes[static_cast<std::size_t>(dice.integer(0, 2))], 0.0, 1.0);
+  }
+  return script;
+}
+
+/// Poses along a script, no body point moving more than two millimetres between two of them.
+std::vector<Pose> dense_poses(const Script& script)
+{
+  std::vector<Pose> poses{script.start()};
+  const Trajectory& points = script.points();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const TrajectoryPoint &from = points[i], &to = points[i + 1];
+    if (from.mode != to.mode) continue;
+    const int parts = static_cast<int>(std::ceil((to.t - from.t) * 2.5 / 0.002));
+    TrajectoryPoint at = from;
+    for (int k = 0; k < parts; ++k)
+    {
+      const double share = (k + 0.5) / parts, h = (to.t - from.t) / parts;
+      const double v = from.v + share * (to.v - from.v), phi = from.phi + share * (to.phi - from.phi);
+      const double turn = at.mode == Mode::ackermann ? 2.0 * v * std::tan(phi) / Robot().wheelbase
+                          : at.mode == Mode::lateral ? 2.0 * v * std::tan(phi) / Robot().track_width
+                                                     : 0.0;
+      const double course = at.mode == Mode::lateral ? M_PI_2 : at.mode == Mode::parallel ? phi : 0.0;
+      at.x += h * v * std::cos(at.theta + h / 2 * turn + course);
+      at.y += h * v * std::sin(at.theta + h / 2 * turn + course);
+      at.theta += h * turn;
+      poses.push_back(at.pose());
+    }
+  }
+  return poses;
+}
+
+TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
+{
+  int free = 0, colliding = 0;
+  for (unsigned seed = 1; seed <= 120; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Dice dice(seed);
+    OccupancyGrid grid = empty_grid(70, 70, 0.1, {dice.real(-4.0, 4.0), dice.real(-4.0, 4.0), dice.real(-3.0, 3.0)});
+    for (int k = dice.integer(0, 20); k > 0; --k) occupy(grid, dice.integer(0, 69), dice.integer(0, 69));
+    const Script script = random_drive(dice, compose(grid.origin, {3.5, 3.5, dice.real(-3.0, 3.0)}));
+    double expected = INFINITY;
+    const std::vector<Quad> cells = obstacles(grid, {});
+    for (const Pose& pose : dense_poses(script)) expected = std::min(expected, brute_clearance(grid, cells, pose));
+    if (std::abs(expected) < 0.001) continue;
+    const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+    ASSERT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected << "\n" << sentences(verdict);
+    ASSERT_LT(verdict.max_rollout_position, 1e-5);
+    ++(expected > 0.0 ? free : colliding);
+    if (expected < 0.0)
+      ASSERT_EQ(verdict.min_clearance, 0.0);
+    else
+    {
+      ASSERT_GT(verdict.min_clearance, expected - 0.001);
+      ASSERT_LT(verdict.min_clearance, std::max(expected * 8.0 / 7.0, expected + 0.005) + 1e-6);
+    }
+  }
+  EXPECT_GT(free, 40);
+  EXPECT_GT(colliding, 20);
+}
+
+TEST(VerifyCollision, OneRefereeJudgesInSeveralThreads)
+{
+  Dice dice(3);
+  OccupancyGrid grid = empty_grid(140, 140, 0.05);
+  for (int k = 0; k < 20; ++k) occupy(grid, dice.integer(0, 139), dice.integer(0, 139));
+  const Referee referee(grid, {}, {});
+  const Script script = random_drive(dice, {3.5, 3.5, 1.0});
+  const Verdict expected = referee.judge(script.start(), script.end(), script.points());
+  std::array<Verdict, 4> verdicts;
+  std::vector<std::thread> threads;
+  for (Verdict& verdict : verdicts)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 50; ++k) verdict = referee.judge(script.start(), script.end(), script.points());
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (const Verdict& verdict : verdicts)
+  {
+    EXPECT_EQ(sentences(verdict), sentences(expected));
+    EXPECT_EQ(verdict.min_clearance, expected.min_clearance);
+  }
+}
+
+}  // namespace
+}  // namespace fourwis
