@@ -20,7 +20,7 @@ if [[ $# -lt 2 || ${#goals[@]} -eq 0 ]]; then
 fi
 shift
 
-# The first port on which nobody listens: not the master of a robot, nor what an earlier tour has left.
+# The first free port: a robot's master and what an earlier tour has left keep theirs.
 free_port()
 {
   local port=11411
@@ -49,7 +49,7 @@ roslaunch --port "$port" "$@" >"$log" 2>&1 &
 launch=$!
 "$root/scripts/drive_tour.py" "${goals[@]}" &
 tour=$!
-# Whichever ends first; the tour's own end is a good one only when it says so, the launch's never is.
+# Until the tour or the launch ends; the tour's own end is a good one only when it says so, the launch's never is.
 if ! wait -n || kill -0 "$tour" 2>/dev/null; then
   echo "The tour ended early; what the nodes say: $log" >&2
   exit 1

@@ -8,6 +8,8 @@
 
 #include <boost/program_options.hpp>
 
+#include "fourwis_navigation/model/sentence.h"
+
 namespace po = boost::program_options;
 
 namespace fourwis
@@ -44,21 +46,21 @@ std::optional<double> number_in(const std::string& text)
   return number;
 }
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value, const std::string& expected)
+[[noreturn]] void reject_value(const std::string& option, const std::string& value, const std::string& expected)
 {
-  throw po::error(option + ": '" + value + "' is not understood, expected " + expected);
+  reject<po::error>(option, ": '", value, "' is not understood, expected ", expected);
 }
 
 Pose pose_in(const std::string& option, const std::string& text)
 {
   const char* const expected = "X,Y,YAW: three finite numbers in metres and radians";
   const std::vector<std::string> words = split(text);
-  if (words.size() != 3) refuse(option, text, expected);
+  if (words.size() != 3) reject_value(option, text, expected);
   double numbers[3];
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::optional<double> number = number_in(words[i]);
-    if (!number) refuse(option, text, expected);
+    if (!number) reject_value(option, text, expected);
     numbers[i] = *number;
   }
   return {numbers[0], numbers[1], numbers[2]};
@@ -67,7 +69,7 @@ Pose pose_in(const std::string& option, const std::string& text)
 double height_in(const std::string& option, const std::string& text)
 {
   const std::optional<double> number = number_in(text);
-  if (!number) refuse(option, text, "a finite number in metres");
+  if (!number) reject_value(option, text, "a finite number in metres");
   return *number;
 }
 
@@ -77,7 +79,7 @@ ModeSet modes_in(const std::string& text)
   for (const std::string& word : split(text))
   {
     const std::optional<Mode> mode = mode_from_string(word);
-    if (!mode) refuse("--modes", text, "a comma-separated list of ackermann, lateral, parallel");
+    if (!mode) reject_value("--modes", text, "a comma-separated list of ackermann, lateral, parallel");
     modes.insert(*mode);
   }
   return modes;
@@ -87,7 +89,7 @@ int repetitions_in(const std::string& text)
 {
   const std::optional<double> number = number_in(text);
   if (!number || *number < 1.0 || *number > 100000.0 || text.find_first_not_of("0123456789") != std::string::npos)
-    refuse("--repeat", text, "a whole number from 1 to 100000");
+    reject_value("--repeat", text, "a whole number from 1 to 100000");
   return static_cast<int>(*number);
 }
 
@@ -148,7 +150,7 @@ void check_combination(const po::variables_map& given)
       throw po::error(std::string("--") + option + " requires --svg");
   for (const char* const option : {"csv", "svg"})
     if (text_of(given, option) == "-")
-      refuse(std::string("--") + option, "-", "a file: only --json writes to the standard output");
+      reject_value(std::string("--") + option, "-", "a file: only --json writes to the standard output");
 }
 
 PlanArguments arguments_in(const po::variables_map& given)
@@ -182,7 +184,7 @@ std::string help_text(const po::options_description& options)
   return text.str();
 }
 
-/// Where the JSON shall go, whatever is wrong with the other arguments.
+/// Where the JSON shall go. Other arguments may be wrong.
 std::string json_file_in(int argc, const char* const* argv)
 {
   const std::string option = "--json";

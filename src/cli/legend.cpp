@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "fourwis_navigation/model/sentence.h"
 
 namespace fourwis
 {
@@ -44,11 +45,9 @@ std::string headline(const PlanResult& result)
 {
   if (result.status != PlanStatus::succeeded) return result.message;
   const PlanMetrics& metrics = result.metrics;
-  char text[200];
-  std::snprintf(text, sizeof(text), "%.2f m, %.1f s, %d mode switch%s, clearance %.2f m, planned in %.1f ms",
-                metrics.length, metrics.arrival_time, metrics.switches, metrics.switches == 1 ? "" : "es",
-                metrics.min_clearance, metrics.total_ms);
-  return text;
+  return sentence("%.2f m, %.1f s, %d mode switch%s, clearance %.2f m, planned in %.1f ms", metrics.length,
+                  metrics.arrival_time, metrics.switches, metrics.switches == 1 ? "" : "es", metrics.min_clearance,
+                  metrics.total_ms);
 }
 
 /// Writes the entries of the legend from left to right.
@@ -106,12 +105,10 @@ void write_scale_bar(std::ostream& out, const Page& page, double y)
     break;
   }
   const double length = metres * page.scale, x = page.width - kMargin - length;
-  char label[32];
-  std::snprintf(label, sizeof(label), "%g m", metres);
   out << "<path d=\"M" << pixels(x) << ',' << pixels(y - 4.0) << "v8m0,-4h" << pixels(length) << "m0,-4v8\" stroke=\""
       << kStartColour << "\" stroke-width=\"1.5\" fill=\"none\"/>\n"
-      << "<text text-anchor=\"end\" x=\"" << pixels(x - 8.0) << "\" y=\"" << pixels(y + 4.5) << "\">" << label
-      << "</text>\n";
+      << "<text text-anchor=\"end\" x=\"" << pixels(x - 8.0) << "\" y=\"" << pixels(y + 4.5) << "\">"
+      << sentence("%g m", metres) << "</text>\n";
 }
 
 std::string shortened(const std::string& text, double width)
@@ -131,7 +128,7 @@ void write_legend(std::ostream& out, const Page& page, const PlanPicture& pictur
       << "\">\n"
       << "<text x=\"" << pixels(kMargin) << "\" y=\"" << pixels(first + 4.5) << "\"><tspan font-weight=\"bold\">"
       << status << "</tspan><tspan dx=\"10\">"
-      << escaped(shortened(headline(result), page.width - 200.0 - kCharacterWidth * status.size()))
+      << escaped(shortened(headline(result), page.width - 200.0 - kCharacterWidth * static_cast<double>(status.size())))
       << "</tspan></text>\n";
   write_scale_bar(out, page, first);
 

@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+#include "fourwis_navigation/model/sentence.h"
+
 namespace fourwis
 {
 namespace
@@ -12,9 +14,9 @@ namespace
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& path, const char* why)
+[[noreturn]] void fail(const std::string& path, const std::string& why)
 {
-  throw OutputError((path == "-" ? "standard output" : path) + ": cannot be written: " + why);
+  reject<OutputError>(path == "-" ? "standard output" : path, ": cannot be written: ", why);
 }
 
 }  // namespace
@@ -28,20 +30,20 @@ OutputFile::OutputFile(const std::string& path, std::ostream* standard_output)
 
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) refuse(path, "it is a directory, expected a file");
+  if (fs::is_directory(status)) fail(path, "it is a directory, expected a file");
   const bool device = fs::exists(status) && !fs::is_regular_file(status);
   if (!device)
   {
     // Through a symbolic link to the file it names, instead of replacing the link.
     if (fs::exists(status)) target_ = fs::canonical(path, error).string();
-    if (error && fs::exists(status)) refuse(path, error.message().c_str());
+    if (error && fs::exists(status)) fail(path, error.message());
     written_ = target_ + ".part" + std::to_string(getpid());
   }
   file_.open(device ? target_ : written_, std::ios::binary | std::ios::trunc);
   if (!file_)
   {
     written_.clear();
-    refuse(path, "expected a file in a directory that exists and is writable");
+    fail(path, "expected a file in a directory that exists and is writable");
   }
 }
 
@@ -55,12 +57,12 @@ void OutputFile::commit()
 {
   stream().flush();
   if (!standard_output_) file_.close();
-  if (!stream()) refuse(path_, "the disk may be full");
+  if (!stream()) fail(path_, "the disk may be full");
   if (written_.empty()) return;
 
   std::error_code error;
   fs::rename(written_, target_, error);
-  if (error) refuse(path_, error.message().c_str());
+  if (error) fail(path_, error.message());
   written_.clear();
 }
 

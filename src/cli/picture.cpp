@@ -16,7 +16,7 @@ namespace fourwis
 namespace
 {
 
-/// Footprints are drawn this often, in body lengths (no simple fraction, lest front and rear edges fall together) and
+/// Footprints are drawn this often, in body lengths (no simple fraction, so that front and rear edges do not fall together) and
 /// in radians.
 constexpr double kFootprintSpacing = 0.35, kFootprintTurn = 0.3;
 

@@ -133,7 +133,7 @@ void write(const Outputs& outputs, const Problem& problem, const Answer& answer)
   outputs.json->commit();
 }
 
-/// One line for a person, whatever `text` holds.
+/// One line for a person, also where `text` has several.
 void tell(std::ostream& err, std::string text)
 {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -146,7 +146,7 @@ std::string summary(const PlanResult& result)
 }
 
 /// Reports unusable input on `err` and, where that can be written, as JSON.
-int refuse(const std::string& why, const std::string& json_file, std::ostream& out, std::ostream& err)
+int report_unusable(const std::string& why, const std::string& json_file, std::ostream& out, std::ostream& err)
 {
   tell(err, why);
   if (json_file.empty()) return kUnusableInput;
@@ -161,7 +161,7 @@ int refuse(const std::string& why, const std::string& json_file, std::ostream& o
   }
   catch (const OutputError&)
   {
-    // There is nobody left to tell: `err` has the reason already.
+    // `err` has the reason already.
   }
   return kUnusableInput;
 }
@@ -193,11 +193,11 @@ int plan_command(int argc, const char* const* argv, std::ostream& out, std::ostr
   }
   catch (const UsageError& error)
   {
-    return refuse(error.what(), error.json, out, err);
+    return report_unusable(error.what(), error.json, out, err);
   }
   catch (const std::exception& error)
   {
-    return refuse(error.what(), json_file, out, err);
+    return report_unusable(error.what(), json_file, out, err);
   }
 }
 

@@ -20,16 +20,17 @@ constexpr double kTouches = 1e-6;
 void check(const BoxOptions& options)
 {
   if (!(options.fine_step > 0.0))
-    throw std::invalid_argument(sentence("fine_step is %g m, expected a positive number", options.fine_step));
+    reject<std::invalid_argument>(sentence("fine_step is %g m, expected a positive number", options.fine_step));
   if (!(options.coarse_step >= options.fine_step))
-    throw std::invalid_argument(
+    reject<std::invalid_argument>(
         sentence("coarse_step is %g m, expected at least fine_step = %g m", options.coarse_step, options.fine_step));
   if (!(options.max_expansion >= options.coarse_step) || !std::isfinite(options.max_expansion))
-    throw std::invalid_argument(sentence("max_expansion is %g m, expected a finite number, at least coarse_step = %g m",
-                                         options.max_expansion, options.coarse_step));
+    reject<std::invalid_argument>(
+        sentence("max_expansion is %g m, expected a finite number, at least coarse_step = %g m", options.max_expansion,
+                 options.coarse_step));
 }
 
-/// Distance from a waypoint to the nearest obstacle or `most`, whatever is less [m].
+/// Distance from a waypoint to the nearest obstacle or `most`, the less of the two [m].
 double clearance(const ObstacleRectangles& obstacles, const Pose& waypoint, double most)
 {
   const Point2 p = obstacles.to_grid(waypoint.x, waypoint.y);

@@ -16,9 +16,9 @@ namespace
 void check(const PolytopeOptions& options)
 {
   if (!(options.range > 0.0) || !std::isfinite(options.range))
-    throw std::invalid_argument(sentence("range is %g m, expected a positive, finite number", options.range));
+    reject<std::invalid_argument>(sentence("range is %g m, expected a positive, finite number", options.range));
   if (options.max_half_planes < 4)
-    throw std::invalid_argument(sentence("max_half_planes is %d, expected at least 4", options.max_half_planes));
+    reject<std::invalid_argument>(sentence("max_half_planes is %d, expected at least 4", options.max_half_planes));
 }
 
 /// What is wrong with the question; empty when nothing is.

@@ -1,24 +1,15 @@
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fourwis_navigation/corridor/corridor_result.h"
 #include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/model/sentence.h"
 
 namespace fourwis
 {
-
-/// printf into a string of at most 255 characters.
-template <typename... Numbers>
-std::string sentence(const char* format, Numbers... numbers)
-{
-  char text[256];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
-}
 
 template <typename Regions>
 CorridorResult<Regions> refusal(CorridorStatus status, std::string message)

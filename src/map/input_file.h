@@ -5,21 +5,21 @@
 namespace fourwis
 {
 
-/// A whole file in memory. Nothing in it is trusted; whoever finds a defect reports it through refuse().
+/// A whole file in memory. Nothing in it is trusted; its readers report a defect through reject().
 struct InputFile
 {
   std::string path;
   std::string bytes;
 
   /// Throws MapFileError: one line "path: field: reason", without control characters.
-  [[noreturn]] void refuse(const std::string& field, const std::string& reason) const;
+  [[noreturn]] void reject(const std::string& field, const std::string& reason) const;
 };
 
 /// Throws MapFileError when the file is missing, not a regular file, unreadable or larger than `max_bytes`.
 InputFile read_input_file(const std::string& path, std::size_t max_bytes);
 
 /// Throws MapFileError "path: field: reason", for files that are not in memory.
-[[noreturn]] void refuse_file(const std::string& path, const std::string& field, const std::string& reason);
+[[noreturn]] void reject_file(const std::string& path, const std::string& field, const std::string& reason);
 
 /// Text from a file as it may appear in a message: quoted, cut to a sensible length.
 std::string quoted(const std::string& text);

@@ -17,7 +17,7 @@ class Fields
 public:
   explicit Fields(const InputFile& file) : file_(file), root_(parse(file))
   {
-    if (!root_.IsMap()) file_.refuse("format", "expected a YAML mapping with image, resolution, origin, ...");
+    if (!root_.IsMap()) file_.reject("format", "expected a YAML mapping with image, resolution, origin, ...");
   }
 
   double number(const char* name) const { return to_number(scalar(name), name); }
@@ -25,7 +25,7 @@ public:
   Pose pose(const char* name) const
   {
     const YAML::Node node = required(name);
-    if (!node.IsSequence() || node.size() != 3) file_.refuse(name, "expected three numbers [x, y, yaw]");
+    if (!node.IsSequence() || node.size() != 3) file_.reject(name, "expected three numbers [x, y, yaw]");
     return {to_number(node[0], name), to_number(node[1], name), to_number(node[2], name)};
   }
 
@@ -34,14 +34,14 @@ public:
     const YAML::Node node = scalar(name);
     bool value = node.Scalar() == "1";
     if (!value && node.Scalar() != "0" && !YAML::convert<bool>::decode(node, value))
-      file_.refuse(name, "expected 0, 1, true or false, got " + quoted(node.Scalar()));
+      file_.reject(name, "expected 0, 1, true or false, got " + quoted(node.Scalar()));
     return value;
   }
 
   std::string text(const char* name) const
   {
     const YAML::Node node = scalar(name);
-    if (node.Scalar().empty()) file_.refuse(name, "expected a text, got an empty one");
+    if (node.Scalar().empty()) file_.reject(name, "expected a text, got an empty one");
     return node.Scalar();
   }
 
@@ -56,20 +56,20 @@ private:
     }
     catch (const YAML::Exception& error)
     {
-      file.refuse("format", std::string("expected YAML: ") + error.what());
+      file.reject("format", std::string("expected YAML: ") + error.what());
     }
   }
 
   YAML::Node required(const char* name) const
   {
-    if (!has(name)) file_.refuse(name, "missing, expected a value");
+    if (!has(name)) file_.reject(name, "missing, expected a value");
     return root_[name];
   }
 
   YAML::Node scalar(const char* name) const
   {
     const YAML::Node node = required(name);
-    if (!node.IsScalar()) file_.refuse(name, "expected a single value");
+    if (!node.IsScalar()) file_.reject(name, "expected a single value");
     return node;
   }
 
@@ -77,7 +77,7 @@ private:
   {
     double value = 0.0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value))
-      file_.refuse(name, "expected a finite number, got " + (node.IsScalar() ? quoted(node.Scalar()) : "none"));
+      file_.reject(name, "expected a finite number, got " + (node.IsScalar() ? quoted(node.Scalar()) : "none"));
     return value;
   }
 
@@ -88,14 +88,14 @@ private:
 double read_resolution(const InputFile& file, const Fields& fields)
 {
   const double resolution = fields.number("resolution");
-  if (resolution <= 0.0) file.refuse("resolution", "expected a number above 0, got " + std::to_string(resolution));
+  if (resolution <= 0.0) file.reject("resolution", "expected a number above 0, got " + std::to_string(resolution));
   return resolution;
 }
 
 double read_threshold(const InputFile& file, const Fields& fields, const char* name)
 {
   const double threshold = fields.number(name);
-  if (threshold < 0.0 || threshold > 1.0) file.refuse(name, "expected 0 to 1, got " + std::to_string(threshold));
+  if (threshold < 0.0 || threshold > 1.0) file.reject(name, "expected 0 to 1, got " + std::to_string(threshold));
   return threshold;
 }
 
@@ -105,7 +105,7 @@ ValueMode read_mode(const InputFile& file, const Fields& fields)
   if (mode == "trinary") return ValueMode::trinary;
   if (mode == "scale") return ValueMode::scale;
   if (mode == "raw") return ValueMode::raw;
-  file.refuse("mode", "expected trinary, scale or raw, got " + quoted(mode));
+  file.reject("mode", "expected trinary, scale or raw, got " + quoted(mode));
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ MapDescription read_map_description(const std::string& path)
   map.free_thresh = read_threshold(file, fields, "free_thresh");
   map.mode = read_mode(file, fields);
   if (map.occupied_thresh < map.free_thresh)
-    file.refuse("occupied_thresh", "expected at least free_thresh " + std::to_string(map.free_thresh) + ", got " +
+    file.reject("occupied_thresh", "expected at least free_thresh " + std::to_string(map.free_thresh) + ", got " +
                                        std::to_string(map.occupied_thresh));
   return map;
 }

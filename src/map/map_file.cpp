@@ -29,7 +29,7 @@ Image read_image_of(const MapDescription& map, const std::string& yaml_path)
   }
   catch (const MapFileError& error)
   {
-    refuse_file(yaml_path, "image", error.what());
+    reject_file(yaml_path, "image", error.what());
   }
 }
 
@@ -118,7 +118,7 @@ void write_file(const std::string& path, const Write& write)
   std::ofstream out(path, std::ios::binary);
   if (out) write(out);
   out.close();
-  if (!out) refuse_file(path, "file", "expected a writable file");
+  if (!out) reject_file(path, "file", "expected a writable file");
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void write_map_file(const OccupancyGrid& grid, const std::string& stem)
   }
   catch (const std::invalid_argument& error)
   {
-    refuse_file(stem, "grid", error.what());
+    reject_file(stem, "grid", error.what());
   }
   const std::string image = stem + ".pgm";
   write_file(image, [&](std::ostream& out) { write_pgm(grid, out); });

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "fourwis_navigation/model/sentence.h"
+
 namespace fourwis
 {
 namespace
@@ -116,25 +118,20 @@ void square_distances(const std::vector<std::uint8_t>& obstacle, int width, int 
   }
 }
 
-[[noreturn]] void refuse(const std::string& sentence)
-{
-  throw std::invalid_argument("occupancy grid: " + sentence);
-}
-
 }  // namespace
 
 void check_grid(const OccupancyGrid& grid)
 {
   if (grid.width <= 0 || grid.height <= 0)
-    refuse("width x height is " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
-           ", expected at least 1 x 1 cells");
+    reject<std::invalid_argument>("occupancy grid: width x height is ", grid.width, " x ", grid.height,
+                                  ", expected at least 1 x 1 cells");
   const std::size_t cells = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
   if (grid.data.size() != cells)
-    refuse("data has " + std::to_string(grid.data.size()) +
-           " cells, expected width x height = " + std::to_string(cells));
+    reject<std::invalid_argument>("occupancy grid: data has ", grid.data.size(),
+                                  " cells, expected width x height = ", cells);
   if (!std::isfinite(grid.resolution) || grid.resolution <= 0.0)
-    refuse("resolution is " + std::to_string(grid.resolution) + " m, expected a positive number");
-  if (!is_finite(grid.origin)) refuse("origin is not finite");
+    reject<std::invalid_argument>("occupancy grid: resolution is ", grid.resolution, " m, expected a positive number");
+  if (!is_finite(grid.origin)) reject<std::invalid_argument>("occupancy grid: origin is not finite");
 }
 
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)

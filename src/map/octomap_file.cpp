@@ -28,7 +28,7 @@ public:
   {
     const char* bytes = take(2, depth + 1);  // its children lie one deeper
     const unsigned codes = static_cast<unsigned char>(bytes[0]) | static_cast<unsigned char>(bytes[1]) << 8;
-    if (codes == 0) file_.refuse("data", "damaged, expected an inner node to have children");
+    if (codes == 0) file_.reject("data", "damaged, expected an inner node to have children");
     ++count_;
     for (int child = 0; child < 8; ++child)
     {
@@ -46,7 +46,7 @@ public:
     const char* bytes = take(payload_ + 1, depth);
     float log_odds = 0.0F;
     std::memcpy(&log_odds, bytes, sizeof log_odds);
-    if (!std::isfinite(log_odds)) file_.refuse("data", "damaged, expected finite log odds");
+    if (!std::isfinite(log_odds)) file_.reject("data", "damaged, expected finite log odds");
     ++count_;
     for (int child = 0; child < 8; ++child)
     {
@@ -57,8 +57,8 @@ public:
 private:
   const char* take(std::size_t size, int depth)
   {
-    if (depth > tree_depth) file_.refuse("data", "damaged, expected a tree of depth " + std::to_string(tree_depth));
-    if (file_.bytes.size() - position_ < size) file_.refuse("data", "truncated, expected more nodes");
+    if (depth > tree_depth) file_.reject("data", "damaged, expected a tree of depth " + std::to_string(tree_depth));
+    if (file_.bytes.size() - position_ < size) file_.reject("data", "truncated, expected more nodes");
     position_ += size;
     return file_.bytes.data() + position_ - size;
   }
@@ -102,15 +102,15 @@ OctomapHeader read_octomap_header(const InputFile& file)
   OctomapHeader header;
   header.is_binary = first.compare(0, 28, "# Octomap OcTree binary file") == 0;
   if (!header.is_binary && first.compare(0, 21, "# Octomap OcTree file") != 0)
-    file.refuse("format", "expected an OctoMap file (.bt or .ot)");
+    file.reject("format", "expected an OctoMap file (.bt or .ot)");
   read_fields(lines, header);
   if (header.data == 0 || header.data > file.bytes.size())
-    file.refuse("data", "missing, expected the nodes after the header");
-  if (header.nodes < 0) file.refuse("size", "expected a number of nodes");
+    file.reject("data", "missing, expected the nodes after the header");
+  if (header.nodes < 0) file.reject("size", "expected a number of nodes");
   if (!(header.resolution > 0.0) || !std::isfinite(header.resolution * (1 << tree_depth)))
-    file.refuse("res", "expected a finite number above 0");
+    file.reject("res", "expected a finite number above 0");
   if (header.id != "OcTree" && header.id != "ColorOcTree" && header.id != "OcTreeStamped")
-    file.refuse("id", "expected OcTree, ColorOcTree or OcTreeStamped, got " + quoted(header.id));
+    file.reject("id", "expected OcTree, ColorOcTree or OcTreeStamped, got " + quoted(header.id));
   return header;
 }
 
@@ -119,7 +119,7 @@ void check_octomap_nodes(const InputFile& file, const OctomapHeader& header)
   NodeWalk walk(file, header);
   if (header.nodes > 0) header.is_binary ? walk.binary(0) : walk.full(0);
   if (walk.count() != header.nodes)
-    file.refuse("size", "expected " + std::to_string(header.nodes) + " nodes, got " + std::to_string(walk.count()));
+    file.reject("size", "expected " + std::to_string(header.nodes) + " nodes, got " + std::to_string(walk.count()));
 }
 
 }  // namespace fourwis

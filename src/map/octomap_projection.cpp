@@ -91,9 +91,9 @@ std::vector<Block> read_blocks(const InputFile& file, const OctomapHeader& heade
 OccupancyGrid empty_grid(const InputFile& file, const std::vector<Block>& blocks, const Interval& x, const Interval& y,
                          double resolution)
 {
-  if (blocks.empty()) file.refuse("data", "expected known voxels in the height band, got none");
+  if (blocks.empty()) file.reject("data", "expected known voxels in the height band, got none");
   if (x.size() > max_map_cells / y.size())
-    file.refuse("data", "expected at most " + std::to_string(max_map_cells) + " cells, got " +
+    file.reject("data", "expected at most " + std::to_string(max_map_cells) + " cells, got " +
                             std::to_string(x.size()) + " x " + std::to_string(y.size()));
   OccupancyGrid grid{static_cast<int>(x.size()), static_cast<int>(y.size()), resolution, {}, {}};
   grid.origin = {x.first * resolution, y.first * resolution, 0.0};
@@ -134,7 +134,7 @@ OccupancyGrid project_octomap_file(const std::string& path, const HeightBand& ba
   const InputFile file = read_input_file(path, max_map_bytes);
   const OctomapHeader header = read_octomap_header(file);
   check_octomap_nodes(file, header);
-  // A binary file holds no colours, whatever its type.
+  // A binary file of any type holds no colours.
   const bool is_coloured = header.id == "ColorOcTree" && !header.is_binary;
   const std::vector<Block> blocks = is_coloured ? read_blocks<octomap::ColorOcTree>(file, header, band)
                                                 : read_blocks<octomap::OcTree>(file, header, band);

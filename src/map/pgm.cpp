@@ -28,8 +28,8 @@ public:
   long long number(const char* field)
   {
     skip_space_and_comments();
-    if (position_ == bytes_.size()) file_.refuse(field, "truncated, expected a number");
-    if (!is_digit(bytes_[position_])) file_.refuse(field, "expected a number");
+    if (position_ == bytes_.size()) file_.reject(field, "truncated, expected a number");
+    if (!is_digit(bytes_[position_])) file_.reject(field, "expected a number");
     long long value = 0;
     for (; position_ < bytes_.size() && is_digit(bytes_[position_]); ++position_)
       value = std::min(10 * value + (bytes_[position_] - '0'), too_large);
@@ -42,7 +42,7 @@ public:
     if (position_ < bytes_.size() && bytes_[position_] == '#')
       position_ = std::min(bytes_.find('\n', position_), bytes_.size());
     if (position_ == bytes_.size() || !is_space(bytes_[position_]))
-      file_.refuse("maxval", "expected white space after it");
+      file_.reject("maxval", "expected white space after it");
     ++position_;
   }
 
@@ -60,7 +60,7 @@ public:
     const auto left = static_cast<long long>(bytes_.size() - position_);
     if (left < size)
     {
-      file_.refuse("pixels",
+      file_.reject("pixels",
                    "truncated, expected at least " + std::to_string(size) + " bytes, got " + std::to_string(left));
     }
   }
@@ -90,7 +90,7 @@ Image decode_pgm(const InputFile& file)
   const long long height = reader.number("height");
   check_image_size(file, width, height);
   const long long maxval = reader.number("maxval");
-  if (maxval < 1 || maxval > 65535) file.refuse("maxval", "expected 1 to 65535, got " + std::to_string(maxval));
+  if (maxval < 1 || maxval > 65535) file.reject("maxval", "expected 1 to 65535, got " + std::to_string(maxval));
   reader.end_of_header();
 
   const bool is_binary = file.bytes[1] == '5';
@@ -105,7 +105,7 @@ Image decode_pgm(const InputFile& file)
   {
     const long long sample = is_binary ? reader.binary(sample_size) : reader.number("pixels");
     if (sample > maxval)
-      file.refuse("pixels", "expected 0 to maxval " + std::to_string(maxval) + ", got " + std::to_string(sample));
+      file.reject("pixels", "expected 0 to maxval " + std::to_string(maxval) + ", got " + std::to_string(sample));
     image.samples.push_back(static_cast<std::uint8_t>(sample * 255 / maxval));
   }
   return image;

@@ -92,14 +92,14 @@ Image decode_png(const InputFile& file)
 {
   PngReader reader(file);
   if (!reader.is_ready() || !reader.read_header())
-    file.refuse("header", std::string("expected a complete PNG header: ") + reader.error());
+    file.reject("header", std::string("expected a complete PNG header: ") + reader.error());
   check_image_size(file, reader.width(), reader.height());
   // Deflate shrinks by at most 1032, so a small file cannot hold a large picture.
   if (reader.row_bytes() * reader.height() > 1032 * file.bytes.size())
-    file.refuse("pixels", "truncated, the file is too short for its size of " + std::to_string(reader.width()) + " x " +
+    file.reject("pixels", "truncated, the file is too short for its size of " + std::to_string(reader.width()) + " x " +
                               std::to_string(reader.height()));
   if (!reader.expand())
-    file.refuse("header", std::string("expected a PNG that libpng can convert to 8 bits: ") + reader.error());
+    file.reject("header", std::string("expected a PNG that libpng can convert to 8 bits: ") + reader.error());
 
   const int channels = reader.channels();
   Image image{
@@ -108,7 +108,7 @@ Image decode_png(const InputFile& file)
   std::vector<png_bytep> rows(reader.height());
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = image.samples.data() + row * reader.row_bytes();
   if (!reader.read_pixels(rows.data()))
-    file.refuse("pixels", std::string("expected complete PNG data: ") + reader.error());
+    file.reject("pixels", std::string("expected complete PNG data: ") + reader.error());
   return image;
 }
 

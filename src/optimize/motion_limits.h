@@ -6,7 +6,7 @@
 namespace fourwis
 {
 
-/// Limits of (v, phi, a, omega) within a mode under which body and wheels keep theirs, whatever the motion.
+/// Limits of (v, phi, a, omega) within a mode under which body and wheels keep theirs in every motion.
 class MotionLimits
 {
 public:
@@ -17,7 +17,7 @@ public:
   double speed;             ///< of |v| [m/s]
   double angle;             ///< of |phi| [rad]
   double acceleration;      ///< of |a| [m/s^2]
-  double steering_rate;     ///< of |omega|, whatever phi [rad/s]
+  double steering_rate;     ///< of |omega| at every phi [rad/s]
   double fastest_steering;  ///< of |omega| where phi is such that no wheel turns faster than the equivalent one [rad/s]
 
   /// What the optimisation allows a wheel to turn about its own axis: the limit less a reserve for rounding [rad/s].

@@ -38,7 +38,7 @@ struct Refinement
 
 /// The paper's section III-B with the regions and the solver described in doc/deviations.md: the path is split at its
 /// switches, each segment goes through corridor <-> optimisation, on threads of their own, and the parts are joined with
-/// stationary switches. Deterministic whatever the number of threads.
+/// stationary switches. Deterministic with any number of threads.
 Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
                   const OptimizeOptions& options, double reference_speed, const Path& path, const Interrupt& interrupt);
 

@@ -1,10 +1,10 @@
 #include "paper_back_end.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
+#include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/footprint.h"
 
@@ -34,11 +34,8 @@ struct Outcome
 
 std::string summary(const Outcome& outcome)
 {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, "psi = %.3g after %d rounds with %d iterations, the last one %s",
-                outcome.solution.infeasibility, outcome.outer_iterations, outcome.ipopt_iterations,
-                to_string(outcome.solution.status));
-  return buffer;
+  return sentence("psi = %.3g after %d rounds with %d iterations, the last one %s", outcome.solution.infeasibility,
+                  outcome.outer_iterations, outcome.ipopt_iterations, to_string(outcome.solution.status));
 }
 
 std::vector<Pose> poses(const Trajectory& points)

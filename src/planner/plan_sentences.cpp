@@ -26,7 +26,7 @@ PlanResult refusal(PlanStatus status, std::string message)
   return result;
 }
 
-PlanResult refuse(const CollisionChecker& checker, const PlanRequest& request)
+PlanResult check_request(const CollisionChecker& checker, const PlanRequest& request)
 {
   if (!is_finite(request.start)) return refusal(PlanStatus::invalid_input, "the start pose is not finite");
   if (!is_finite(request.goal)) return refusal(PlanStatus::invalid_input, "the goal pose is not finite");

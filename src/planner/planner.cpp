@@ -191,7 +191,7 @@ PlanResult find_and_refine(const Task& task)
 PlanResult try_to_plan(const Task& task)
 {
   const PlanRequest& request = task.request;
-  PlanResult result = refuse(task.checker, request);
+  PlanResult result = check_request(task.checker, request);
   if (result.status != PlanStatus::succeeded) return result;
   if (!same_pose(request.start, request.goal)) return find_and_refine(task);
   judge(task.world, request, {stay_at(request.start, request.modes)}, result);

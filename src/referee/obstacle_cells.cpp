@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "fourwis_navigation/model/sentence.h"
+
 namespace fourwis::referee
 {
 namespace
@@ -14,15 +16,15 @@ namespace
 
 void check(const OccupancyGrid& grid)
 {
-  const auto refuse = [](const std::string& what) { throw std::invalid_argument("referee: grid " + what); };
-  if (grid.width <= 0) refuse("width " + std::to_string(grid.width) + ", expected > 0");
-  if (grid.height <= 0) refuse("height " + std::to_string(grid.height) + ", expected > 0");
+  using Error = std::invalid_argument;
+  if (grid.width <= 0) reject<Error>("referee: grid width ", grid.width, ", expected > 0");
+  if (grid.height <= 0) reject<Error>("referee: grid height ", grid.height, ", expected > 0");
   if (!(grid.resolution > 0.0) || !std::isfinite(grid.resolution))
-    refuse("resolution " + std::to_string(grid.resolution) + " m, expected > 0 and finite");
-  if (!is_finite(grid.origin)) refuse("origin not finite");
+    reject<Error>("referee: grid resolution ", grid.resolution, " m, expected > 0 and finite");
+  if (!is_finite(grid.origin)) reject<Error>("referee: grid origin not finite");
   const std::size_t cells = static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height);
   if (grid.data.size() != cells)
-    refuse("data size " + std::to_string(grid.data.size()) + ", expected width x height = " + std::to_string(cells));
+    reject<Error>("referee: grid data size ", grid.data.size(), ", expected width x height = ", cells);
 }
 
 std::array<std::uint64_t, 256> obstacle_table(const ObstacleRule& rule)

@@ -9,8 +9,8 @@
 #include <ros/console.h>
 
 #include "drive_conversions.h"
+#include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/track/step_number.h"
-#include "refuse.h"
 #include "stamps.h"
 
 namespace fourwis
@@ -20,7 +20,7 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A trajectory that is to begin later than this comes from somebody with another clock [s]. A stop that is does not wait.
+/// A trajectory that begins later than this was stamped by another clock [s]. A stop that begins later does not wait.
 constexpr double kLongestWait = 10.0, kLongestWaitOfStop = 1.0;
 
 bool is_stop_due(const ros::Time& due, const ros::Time& now)
@@ -71,13 +71,15 @@ void ControlLoop::take_to_drive(const fourwis_navigation::ModeTrajectory& trajec
 void ControlLoop::check(const std_msgs::Header& header) const
 {
   if (header.frame_id != parameters_.node.global_frame)
-    refuse("trajectory: header.frame_id is '", header.frame_id, "', expected global_frame = '",
-           parameters_.node.global_frame, "'");
-  if (first_.isZero()) refuse("trajectory: came before odometry and wheel states of one stamp");
+    reject<ConversionError>("trajectory: header.frame_id is '", header.frame_id, "', expected global_frame = '",
+                            parameters_.node.global_frame, "'");
+  if (first_.isZero()) reject<ConversionError>("trajectory: came before odometry and wheel states of one stamp");
   if (header.stamp < first_)
-    refuse("trajectory: was planned ", seconds_between(header.stamp, first_), " s before the controller started");
+    reject<ConversionError>("trajectory: was planned ", seconds_between(header.stamp, first_),
+                            " s before the controller started");
   if (const double wait = seconds_between(newest_, header.stamp); wait > kLongestWait)
-    refuse("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ", kLongestWait, " s");
+    reject<ConversionError>("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ",
+                            kLongestWait, " s");
 }
 
 std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,

@@ -21,7 +21,7 @@ namespace fourwis
 struct ControlStep
 {
   ros::Time stamp;        ///< of the measurements it answers, or when it found them stale
-  ros::Time trajectory;   ///< header.stamp of the trajectory that was begun last, be it a stop; zero for none
+  ros::Time trajectory;   ///< header.stamp of the trajectory or stop that was begun last; zero for none
   TrackOutput output;     ///< its message is valid until the next step
   bool enabled = false;   ///< whether the base lets itself be driven
   std::string problem;    ///< why the pose is not known, or why the base says that it is not enabled; empty otherwise
@@ -44,7 +44,7 @@ public:
   /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. What comes while a
   /// stop waits does not postpone it. Refused: one in
   /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over
-  /// from somebody else's drive) or far ahead of the newest.
+  /// from an earlier drive) or far ahead of the newest.
   /// Returns whether it is not refused right away.
   bool take(const fourwis_navigation::ModeTrajectory& trajectory);
 
@@ -93,7 +93,7 @@ private:
   std::optional<Tracker> tracker_;  ///< replaced when time goes back
   std::optional<WaitingStop> stop_;
   std::optional<WaitingTrajectory> next_;
-  ros::Time trajectory_;      ///< stamp of what the tracker was told last, be it to stop
+  ros::Time trajectory_;      ///< stamp of what the tracker was told last: a trajectory or a stop
   ros::Time first_, newest_;  ///< pair
   ros::Time newest_odometry_, newest_wheel_states_;
   ros::Time stepped_;         ///< the last step

@@ -19,7 +19,7 @@ namespace fourwis
 class ControllerTopics
 {
 public:
-  /// Called with the name of a node that no longer listens to `~tracking`, be it that its process has died.
+  /// Called with the name of a node that no longer listens to `~tracking`: it unsubscribed, or its process has died.
   using ListenerLeft = std::function<void(const std::string&)>;
 
   ControllerTopics(const Robot& robot, const MpcControllerOptions& options, const ListenerLeft& left);
@@ -31,7 +31,7 @@ public:
   /// On `~tracking`: the trajectory of this stamp is not driven.
   void publish_refusal(const ros::Time& trajectory, const std::string& message);
 
-  /// On `~tracking`: nobody knows yet whether the robot rests.
+  /// On `~tracking`: it is not known yet whether the robot rests.
   void publish_ignorance(const std::string& message);
 
 private:

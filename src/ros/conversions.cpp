@@ -1,10 +1,10 @@
 #include "conversions.h"
 
+#include "fourwis_navigation/model/sentence.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "refuse.h"
 
 namespace fourwis
 {
@@ -16,8 +16,8 @@ void check_quaternion(const geometry_msgs::Quaternion& q, const std::string& nam
   const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   // Written so that NaN, too, is refused.
   if (!(std::abs(norm - 1.0) <= kQuaternionTolerance))
-    refuse(name, ": orientation (", q.x, ", ", q.y, ", ", q.z, ", ", q.w, ") has norm ", norm,
-           ", expected a quaternion of norm 1 within ", kQuaternionTolerance);
+    reject<ConversionError>(name, ": orientation (", q.x, ", ", q.y, ", ", q.z, ", ", q.w, ") has norm ", norm,
+                            ", expected a quaternion of norm 1 within ", kQuaternionTolerance);
 }
 
 /// Angle between the pose's z axis and the plane's normal [rad].
@@ -35,13 +35,14 @@ double yaw(const geometry_msgs::Quaternion& q)
 void check_size(const nav_msgs::OccupancyGrid& message)
 {
   const std::uint64_t width = message.info.width, height = message.info.height;
-  if (width == 0 || height == 0) refuse("map: size is ", width, " x ", height, " cells, expected at least 1 x 1");
+  if (width == 0 || height == 0)
+    reject<ConversionError>("map: size is ", width, " x ", height, " cells, expected at least 1 x 1");
   if (message.data.size() != width * height)
-    refuse("map: data holds ", message.data.size(), " cells, expected width x height = ", width, " x ", height, " = ",
-           width * height);
+    reject<ConversionError>("map: data holds ", message.data.size(), " cells, expected width x height = ", width, " x ",
+                            height, " = ", width * height);
   constexpr std::uint64_t most = std::numeric_limits<int>::max();
   if (width > most || height > most)
-    refuse("map: size is ", width, " x ", height, " cells, expected at most ", most, " each");
+    reject<ConversionError>("map: size is ", width, " x ", height, " cells, expected at most ", most, " each");
 }
 
 geometry_msgs::PoseStamped stamped(const Pose& pose, const std_msgs::Header& header)
@@ -58,11 +59,11 @@ Pose to_pose(const geometry_msgs::Pose& message, const std::string& name, double
 {
   const auto& p = message.position;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-    refuse(name, ": position (", p.x, ", ", p.y, ", ", p.z, ") is not finite");
+    reject<ConversionError>(name, ": position (", p.x, ", ", p.y, ", ", p.z, ") is not finite");
   check_quaternion(message.orientation, name);
   if (tilt(message.orientation) > max_tilt)
-    refuse(name, ": orientation is tilted out of the plane by ", tilt(message.orientation), " rad, expected at most ",
-           max_tilt, " rad");
+    reject<ConversionError>(name, ": orientation is tilted out of the plane by ", tilt(message.orientation),
+                            " rad, expected at most ", max_tilt, " rad");
   return {p.x, p.y, yaw(message.orientation)};
 }
 
@@ -80,7 +81,7 @@ void check_map(const nav_msgs::OccupancyGrid& message)
 {
   check_size(message);
   if (!std::isfinite(message.info.resolution) || message.info.resolution <= 0.0f)
-    refuse("map: resolution is ", message.info.resolution, " m, expected a positive number");
+    reject<ConversionError>("map: resolution is ", message.info.resolution, " m, expected a positive number");
   to_pose(message.info.origin, "map: origin");
 }
 
@@ -103,11 +104,11 @@ void apply_update(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid& gr
     return start >= 0 && size >= 0 && start + size <= limit;
   };
   if (!inside(update.x, update.width, grid.width) || !inside(update.y, update.height, grid.height))
-    refuse("map update: ", width, " x ", height, " cells at (", update.x, ", ", update.y, ") do not lie in the map of ",
-           grid.width, " x ", grid.height, " cells");
+    reject<ConversionError>("map update: ", width, " x ", height, " cells at (", update.x, ", ", update.y,
+                            ") do not lie in the map of ", grid.width, " x ", grid.height, " cells");
   if (update.data.size() != width * height)
-    refuse("map update: data holds ", update.data.size(), " cells, expected width x height = ", width, " x ", height,
-           " = ", width * height);
+    reject<ConversionError>("map update: data holds ", update.data.size(), " cells, expected width x height = ", width,
+                            " x ", height, " = ", width * height);
 
   const auto stride = static_cast<std::ptrdiff_t>(grid.width);
   auto target = grid.data.begin() + update.y * stride + update.x;
@@ -126,7 +127,7 @@ ModeSet to_modes(const std::vector<std::string>& names)
   for (const std::string& name : names)
   {
     const auto mode = mode_from_string(name);
-    if (!mode) refuse("modes: '", name, "' is unknown, expected ackermann, lateral or parallel");
+    if (!mode) reject<ConversionError>("modes: '", name, "' is unknown, expected ackermann, lateral or parallel");
     modes.insert(*mode);
   }
   return modes;

@@ -22,7 +22,7 @@ public:
   void publish(const ros::Time& stamp);
 
   /// Whether the controller has answered all it is asked until `now`: its newest command is younger than the lockstep's
-  /// period, or none has come for so long that nobody should wait.
+  /// period, or none has come for so long that the simulation goes on without.
   bool answered(const ros::Time& now) const;
 
   BaseTopics& topics() { return topics_; }

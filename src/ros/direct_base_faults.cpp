@@ -1,6 +1,7 @@
 #include "direct_base_faults.h"
 
-#include "refuse.h"
+#include "conversions.h"
+#include "fourwis_navigation/model/sentence.h"
 
 namespace fourwis
 {
@@ -25,20 +26,23 @@ DirectBaseFaults::DirectBaseFaults(BaseSimulator& simulator, BaseTopics& base, I
 void DirectBaseFaults::inject(const fourwis_navigation::InjectFault::Request& request)
 {
   const auto fault = faults_.find(request.kind);
-  if (fault == faults_.end()) refuse("inject_fault: kind is '", request.kind, "', expected one of the service's words");
+  if (fault == faults_.end())
+    reject<ConversionError>("inject_fault: kind is '", request.kind, "', expected one of the service's words");
   fault->second(request);
   base_.set_silence(silent_);
 }
 
 void DirectBaseFaults::break_wheel(WheelFault::Kind kind, int wheel)
 {
-  if (wheel >= kWheels) refuse("inject_fault: wheel is ", wheel, ", expected a number from 0 to ", kWheels - 1);
+  if (wheel >= kWheels)
+    reject<ConversionError>("inject_fault: wheel is ", wheel, ", expected a number from 0 to ", kWheels - 1);
   simulator_.inject({kind, wheel});
 }
 
 void DirectBaseFaults::jump(const Pose& by)
 {
-  if (!is_finite(by)) refuse("inject_fault: the jump (", by.x, ", ", by.y, ", ", by.theta, ") is not finite");
+  if (!is_finite(by))
+    reject<ConversionError>("inject_fault: the jump (", by.x, ", ", by.y, ", ", by.theta, ") is not finite");
   const Pose now = base_.odometry();
   base_.set_odometry({now.x + by.x, now.y + by.y, now.theta + by.theta});
 }

@@ -12,7 +12,7 @@
 namespace fourwis
 {
 
-// The numbers as they are, and modes that are none of ours, too: whoever takes them judges.
+// The numbers are taken as they are, also modes that are none of ours: the receiver judges them.
 Trajectory to_trajectory(const fourwis_navigation::ModeTrajectory& message);
 WheelCommand to_command(const fourwis_navigation::WheelCommands& message);
 /// A state that is none of the message's constants is taken for a fault.

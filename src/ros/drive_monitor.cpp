@@ -1,8 +1,8 @@
 #include "drive_monitor.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "fourwis_navigation/model/sentence.h"
 #include "plausible_stamp.h"
 
 namespace fourwis
@@ -14,9 +14,8 @@ using fourwis_navigation::Tracking;
 
 DriveReport lost(const std::string& what, double patience, const std::string& reason = "")
 {
-  std::ostringstream message;
-  message << "the controller " << what << " for " << patience << " s" << (reason.empty() ? "" : ": ") << reason;
-  return {DrivePhase::lost, {}, 0.0, message.str()};
+  const char* const colon = reason.empty() ? "" : ": ";
+  return {DrivePhase::lost, {}, 0.0, joined("the controller ", what, " for ", patience, " s", colon, reason)};
 }
 
 std::string why(DrivePhase phase, const Tracking& tracking)

@@ -47,7 +47,7 @@ public:
 
   DriveReport report(const ros::Time& now) const;
 
-  /// Since when the robot stands still, with nothing before it that could begin; empty when it does not, or nobody knows.
+  /// Since when the robot stands still, with nothing before it that could begin; empty when it does not, or that is not known.
   std::optional<ros::Time> at_rest_since(const ros::Time& now) const;
 
   /// Whether the base has not let itself be driven at some time after `time`; and whether, for all that, it does now.

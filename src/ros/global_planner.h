@@ -30,7 +30,7 @@ private:
   void on_tracking(const fourwis_navigation::TrackingConstPtr& tracking);
   void on_initial_pose(const geometry_msgs::PoseWithCovarianceStampedConstPtr& pose);
 
-  // In this order, so that whatever uses another goes before it.
+  // In this order: a member is destroyed before those that it uses.
   tf2::BufferCore tf_;
   tf2_ros::TransformListener tf_listener_;
   PlannerTopics topics_;

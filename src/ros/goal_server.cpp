@@ -97,7 +97,7 @@ void GoalServer::publish_feedback()
   }
   catch (const ConversionError&)
   {
-    // Nothing to tell while nobody knows where the robot is; what depends on it says so itself.
+    // No feedback while the robot's pose is not known; what depends on the pose says so itself.
   }
 }
 

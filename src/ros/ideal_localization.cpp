@@ -1,11 +1,12 @@
 #include "ideal_localization.h"
 
+#include "conversions.h"
+#include "fourwis_navigation/model/sentence.h"
+
 #include <utility>
 
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/console.h>
-
-#include "refuse.h"
 
 namespace fourwis
 {
@@ -46,8 +47,8 @@ void IdealLocalization::on_initial_pose(const geometry_msgs::PoseWithCovarianceS
   try
   {
     if (message.header.frame_id != global_frame_)
-      refuse("initialpose: header.frame_id is '", message.header.frame_id, "', expected global_frame = '",
-             global_frame_, "'");
+      reject<ConversionError>("initialpose: header.frame_id is '", message.header.frame_id,
+                              "', expected global_frame = '", global_frame_, "'");
     place_(to_pose(message.pose.pose, "initialpose"));
   }
   catch (const ConversionError& error)

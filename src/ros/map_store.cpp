@@ -76,7 +76,7 @@ MapStore::Snapshot MapStore::wait_for_newest(const std::atomic<bool>& cancelled)
 {
   std::unique_lock<std::mutex> lock(mutex_);
   const std::uint64_t wanted = arrived_;
-  // Nobody notifies when a plan is cancelled, hence the short naps.
+  // A cancel does not notify, so the wait is cut into short ones.
   while (handled_ < wanted && !stopping_ && !cancelled) changed_.wait_for(lock, std::chrono::milliseconds(5));
   return newest_;
 }

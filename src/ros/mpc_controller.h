@@ -26,7 +26,7 @@ public:
 
 private:
   void on_trajectory(const ros::MessageEvent<const fourwis_navigation::ModeTrajectory>& trajectory);
-  /// Stops when it was this node that sent what is driven. Whoever does not listen to begin with is not missed.
+  /// Stops when it was this node that sent what is driven. A sender that never listened is not missed.
   void on_listener_left(const std::string& node);
   void on_odometry(const nav_msgs::OdometryConstPtr& odometry);
   void on_wheel_states(const fourwis_navigation::WheelStatesConstPtr& wheels);

@@ -4,7 +4,8 @@
 
 #include <tf2/exceptions.h>
 
-#include "refuse.h"
+#include "conversions.h"
+#include "fourwis_navigation/model/sentence.h"
 #include "stamps.h"
 
 namespace fourwis
@@ -21,9 +22,10 @@ OdometryPose::OdometryPose(std::string global_frame, std::string robot_base_fram
 Pose OdometryPose::at(const nav_msgs::Odometry& odometry) const
 {
   if (odometry.child_frame_id != robot_base_frame_)
-    refuse("odom: child_frame_id is '", odometry.child_frame_id, "', expected robot_base_frame = '", robot_base_frame_,
-           "'");
-  if (odometry.header.frame_id.empty()) refuse("odom: header.frame_id is empty, expected the name of a tf frame");
+    reject<ConversionError>("odom: child_frame_id is '", odometry.child_frame_id, "', expected robot_base_frame = '",
+                            robot_base_frame_, "'");
+  if (odometry.header.frame_id.empty())
+    reject<ConversionError>("odom: header.frame_id is empty, expected the name of a tf frame");
   const Pose in_odom = to_pose(odometry.pose.pose, "odom", kMaxRobotTilt);
   const auto localization = lookup(odometry.header.frame_id, odometry.header.stamp);
   return compose(to_pose(localization.transform, "tf of odom", kMaxRobotTilt), in_odom);
@@ -38,12 +40,12 @@ geometry_msgs::TransformStamped OdometryPose::lookup(const std::string& odom_fra
     const geometry_msgs::TransformStamped newest = tf_.lookupTransform(global_frame_, odom_frame, ros::Time(0));
     const double age = seconds_between(newest.header.stamp, stamp);
     if (std::abs(age) <= transform_tolerance_) return newest;
-    refuse("tf: the transform from '", odom_frame, "' to '", global_frame_, "' is ", age,
-           " s older than odom, expected at most transform_tolerance = ", transform_tolerance_, " s");
+    reject<ConversionError>("tf: the transform from '", odom_frame, "' to '", global_frame_, "' is ", age,
+                            " s older than odom, expected at most transform_tolerance = ", transform_tolerance_, " s");
   }
   catch (const tf2::TransformException& error)
   {
-    refuse("tf: no transform from '", odom_frame, "' to '", global_frame_, "': ", error.what());
+    reject<ConversionError>("tf: no transform from '", odom_frame, "' to '", global_frame_, "': ", error.what());
   }
 }
 

@@ -12,7 +12,7 @@ namespace fourwis
 {
 
 /// Runs tasks on one thread of its own, in the order in which they came, of which only the newest matters: submitting
-/// one cancels all before it. A cancelled task is called all the same, so that it can say so to whoever waits for it.
+/// one cancels all before it. A cancelled task is called all the same, so that it can say so to the caller that waits for it.
 class PlanWorker
 {
 public:

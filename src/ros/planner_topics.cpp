@@ -118,7 +118,7 @@ void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)
 {
   const std_msgs::Header now = header();
   const std::lock_guard<std::mutex> lock(mutex_);
-  // The topic is latched: whoever comes late must see the last plan as well. What comes later in the array counts.
+  // The topic is latched: a late subscriber must see the last plan as well. Later markers in the array count.
   visualization_msgs::MarkerArray markers = markers_;
   markers.markers.push_back(failure_marker(answer.request.goal, answer.result.status, now));
   if (show_expansions_) markers.markers.push_back(expansion_marker(answer.trace, now));

@@ -9,7 +9,7 @@
 namespace fourwis
 {
 
-/// A stamp that somebody else gave, or `now` where it is zero or farther than `tolerance` [s] from it. What is done at the
+/// A stamp that another node gave, or `now` where it is zero or farther than `tolerance` [s] from it. What is done at the
 /// stamp of a message, not when it happens to arrive, is done again when the message is replayed.
 inline ros::Time plausible(const ros::Time& stamp, const ros::Time& now, double tolerance)
 {

@@ -1,11 +1,10 @@
 #include "pose_source.h"
 
-#include <sstream>
-
 #include <tf2/exceptions.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include "conversions.h"
+#include "fourwis_navigation/model/sentence.h"
 #include "stamps.h"
 
 namespace fourwis
@@ -97,12 +96,9 @@ Pose PoseSource::robot_from_tf(const ros::Time& now) const
   const double age = seconds_between(transform.header.stamp, now);
   // A chain of static transforms has no stamp and does not age.
   if (!transform.header.stamp.isZero() && age > options_.transform_tolerance)
-  {
-    std::ostringstream text;
-    text << kStartPose << ": the transform from '" << options_.robot_base_frame << "' to '" << options_.global_frame
-         << "' is " << age << " s old, expected at most transform_tolerance = " << options_.transform_tolerance << " s";
-    throw ConversionError(text.str());
-  }
+    reject<ConversionError>(kStartPose, ": the transform from '", options_.robot_base_frame, "' to '",
+                            options_.global_frame, "' is ", age,
+                            " s old, expected at most transform_tolerance = ", options_.transform_tolerance, " s");
   return robot_pose(transform);
 }
 
@@ -115,8 +111,7 @@ geometry_msgs::TransformStamped PoseSource::lookup(const std::string& frame, con
   }
   catch (const tf2::TransformException& error)
   {
-    throw ConversionError(name + ": no transform from '" + frame + "' to '" + options_.global_frame +
-                          "': " + error.what());
+    reject<ConversionError>(name, ": no transform from '", frame, "' to '", options_.global_frame, "': ", error.what());
   }
 }
 

@@ -15,15 +15,15 @@
 namespace fourwis
 {
 
-/// Poses in the global frame: the robot's, and whatever others ask for. What tf does not know is refused. Safe to use from several threads at once. All functions throw ConversionError with a sentence for the user.
+/// Poses in the global frame: the robot's, and those that goals and requests name. What tf does not know is rejected. Safe to use from several threads at once. All functions throw ConversionError with a sentence for the user.
 class PoseSource
 {
 public:
   /// `tf` must outlive this.
   PoseSource(const GlobalPlannerOptions& options, const tf2::BufferCore& tf);
 
-  /// `name` is what the pose is called in errors. A pose in another frame goes through the newest transform, whatever
-  /// its own stamp, as move_base does.
+  /// `name` is what the pose is called in errors. A pose in another frame goes through the newest transform and not
+  /// that of its own stamp, as move_base does.
   Pose to_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const;
   /// The same as a message, which to_global() turns into the same pose to the last bit.
   geometry_msgs::PoseStamped in_global(const geometry_msgs::PoseStamped& pose, const std::string& name) const;

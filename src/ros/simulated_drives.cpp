@@ -1,9 +1,10 @@
 #include "simulated_drives.h"
 
+#include "conversions.h"
+#include "fourwis_navigation/model/sentence.h"
+
 #include <ros/console.h>
 #include <tf2/exceptions.h>
-
-#include "refuse.h"
 
 namespace fourwis
 {
@@ -62,8 +63,8 @@ void SimulatedDrives::on_odometry(const nav_msgs::Odometry& odometry)
   try
   {
     if (odometry.header.frame_id != frames_.odom_frame)
-      refuse("odom: header.frame_id is '", odometry.header.frame_id, "', expected odom_frame = '", frames_.odom_frame,
-             "'");
+      reject<ConversionError>("odom: header.frame_id is '", odometry.header.frame_id, "', expected odom_frame = '",
+                              frames_.odom_frame, "'");
     publish();  // so that there is a truth as new as the odometry
     const Pose truth = truth_at(odometry.header.stamp);
     localization_.correct(odometry.header.stamp, truth, to_pose(odometry.pose.pose, "odom"));
@@ -82,14 +83,15 @@ Pose SimulatedDrives::truth_at(const ros::Time& stamp)
   }
   catch (const tf2::TransformException& error)
   {
-    refuse("odom: nobody knows where the robot was at ", stamp, ": ", error.what());
+    reject<ConversionError>("odom: it is not known where the robot was at ", stamp, ": ", error.what());
   }
 }
 
 void SimulatedDrives::inject(const fourwis_navigation::InjectFault::Request& request)
 {
   const auto kind = drives::drive_fault_kind(request.kind);
-  if (!kind) refuse("inject_fault: kind is '", request.kind, "', expected a word of doc/fake_drives.md");
+  if (!kind)
+    reject<ConversionError>("inject_fault: kind is '", request.kind, "', expected a word of doc/fake_drives.md");
   drives::DriveFault fault;
   fault.kind = *kind;
   fault.node = request.node;
@@ -101,7 +103,7 @@ void SimulatedDrives::inject(const fourwis_navigation::InjectFault::Request& req
   }
   catch (const std::out_of_range& error)
   {
-    refuse("inject_fault: ", error.what());
+    reject<ConversionError>("inject_fault: ", error.what());
   }
 }
 

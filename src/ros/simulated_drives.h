@@ -13,7 +13,7 @@
 namespace fourwis
 {
 
-/// The simulator's node with a bus: eight drives on it, turning the wheels of a base, and somebody who knows where that
+/// The simulator's node with a bus: eight drives on it, turning the wheels of a base, and a localisation that knows where that
 /// really is. Wheel states and odometry are the bridge's to publish, as on the robot. In real time, as its bridge is.
 /// Spin it with one thread.
 class SimulatedDrives

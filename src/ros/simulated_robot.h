@@ -10,12 +10,12 @@
 namespace fourwis
 {
 
-/// The simulator's node without a bus: a base, somebody who knows where it really is, and the time in which this
+/// The simulator's node without a bus: a base, a localisation that knows where it really is, and the time in which this
 /// happens. Spin it with one thread.
 class SimulatedRobot
 {
 public:
-  /// Throws ConfigError where it is to publish a clock that nobody follows.
+  /// Throws ConfigError where it is to publish a clock that no node follows.
   explicit SimulatedRobot(const BaseSimulatorParameters& parameters);
 
 private:

@@ -17,7 +17,7 @@ const BaseSimulatorNodeOptions& checked(const BaseSimulatorNodeOptions& options)
 {
   if (options.publish_clock && !ros::Time::isSimTime())
     throw ConfigError(
-        "parameter 'publish_clock' is true, expected false where '/use_sim_time' is not true: nobody "
+        "parameter 'publish_clock' is true, expected false where '/use_sim_time' is not true: no node "
         "would follow that clock");
   return options;
 }

@@ -12,7 +12,7 @@
 namespace fourwis
 {
 
-/// Calls for the simulation's cycles: in the time that everybody has, or in a time of its own that it publishes on
+/// Calls for the simulation's cycles: in wall-clock time, or in a time of its own that it publishes on
 /// /clock.
 class SimulationClock
 {
@@ -22,7 +22,7 @@ public:
   /// Whether the next cycle may come; asked only where the clock is published.
   using Ready = std::function<bool(const ros::Time& now)>;
 
-  /// Throws ConfigError where it is to publish a clock that nobody follows.
+  /// Throws ConfigError where it is to publish a clock that no node follows.
   SimulationClock(const BaseSimulatorNodeOptions& options, Cycle cycle, Ready ready);
 
 private:

@@ -242,7 +242,7 @@ TEST(BoxCorridor, InTheOpenABoxReachesTheGreatestExpansionOnAllSides)
 
 TEST(BoxCorridor, TheMotionDecidesWhichSideGrowsFirst)
 {
-  // An obstacle ahead to the left: whichever side comes first shuts out the other one.
+  // An obstacle ahead to the left: the side that comes first shuts out the other one.
   OccupancyGrid grid = free_area(20.0, 20.0, 0.1);
   occupy_block(grid, 110, 110, 90, 90);
   const ObstacleRectangles obstacles{ObstacleMap(grid)};

@@ -161,7 +161,7 @@ TEST(Solver, RowsThatContradictEachOtherAreExceededByAsLittleAsPossible)
   constexpr int intervals = 40;
   Car car;
   Problem<4, 3> problem = Car::swing(car, intervals, 100.0);
-  // y <= 0.3 and y >= 0.5 at one knot: whatever y in between, the two are exceeded by 0.2 together.
+  // y <= 0.3 and y >= 0.5 at one knot: for every y in between the two are exceeded by 0.2 together.
   problem.rows[2 * 19].upper = 0.3;
   problem.rows[2 * 19 + 1].upper = -0.5;
   Options options;

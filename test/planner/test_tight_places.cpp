@@ -45,7 +45,7 @@ struct TightPlaces : testing::Test
   const Pose here = {2.0, 3.0, 0.3}, there = {6.0, 3.0, -0.5};
 };
 
-/// Whoever stops the robot on its way, to send it elsewhere, has a plan: also where trajectories cut corners closer than two
+/// A robot that is stopped on its way and sent elsewhere has a plan: also where trajectories cut corners closer than two
 /// discs can, and with the tracking error on top.
 TEST_F(TightPlaces, TheRobotCanGoOnFromWhereverItsTrajectoriesBringIt)
 {

@@ -10,7 +10,7 @@ namespace
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const Pose kStart{2, 2, 0}, kGoal{7, 7, 1.5};
 
-/// First in this file, hence the first to run: later the planner has both.
+/// First in this file, so that it runs first: later the planner has both.
 TEST(ANewPlanner, refuses_goals_before_it_has_a_start_pose_and_a_map)
 {
   ASSERT_TRUE(wait_until([] { return ros::service::exists("/move_base/plan_trajectory", false); }));

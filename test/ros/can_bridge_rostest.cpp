@@ -48,7 +48,7 @@ TEST(BaseTopics, clocks_that_are_set_back_do_not_hold_odometry_back)
   EXPECT_NEAR(after.position[kWheels] - before.position[kWheels], 0.01 / BaseFrames().wheel_radius, 1e-9);
 }
 
-/// A bridge to the drives of a simulated base, and somebody who commands 0.4 m/s straight ahead at 50 Hz.
+/// A bridge to the drives of a simulated base, and a node that commands 0.4 m/s straight ahead at 50 Hz.
 class CanBridgeNode : public testing::Test
 {
 protected:

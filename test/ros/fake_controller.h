@@ -73,7 +73,7 @@ public:
   void release() { set(hold_, kNever); }
   void fail_at(double t) { set(fail_, t); }  ///< gives up there, every time
 
-  /// Gives up there, and whoever looks then sees a base that is not enabled.
+  /// Gives up there; from then on the base is reported as not enabled.
   void disable_base_at(double t)
   {
     set(disabled_in_, std::optional<std::uint8_t>(Tracking::FAILED));

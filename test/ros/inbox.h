@@ -16,7 +16,7 @@ namespace fourwis
 /// How long a test waits for what must happen before it fails [s]; nothing is ever waited for just because time passes.
 inline constexpr double kPatience = 30.0;
 
-/// Waits for a condition that nobody announces. Whether it came true.
+/// Polls a condition that has no notification. Whether it came true.
 inline bool wait_until(const std::function<bool()>& condition)
 {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kPatience);

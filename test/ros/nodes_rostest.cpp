@@ -99,7 +99,7 @@ TEST(GlobalPlannerNode, a_missing_parameter_stops_it_by_name)
   expect_ends_with("global_planner_node", {"__name:=naked"}, "missing parameter 'global_frame'");
 }
 
-/// What a latched topic says to somebody who comes when the node already runs; null when it has another type.
+/// What a latched topic says to a subscriber that comes when the node already runs; null when it has another type.
 template <class Message>
 boost::shared_ptr<const Message> said_on(const std::string& topic)
 {

@@ -156,7 +156,7 @@ protected:
     return trajectories_.wait_for([&](const ModeTrajectory& t) { return t.header.stamp >= begin; });
   }
 
-  /// The trajectory that is published now, as somebody sees it who comes late.
+  /// The trajectory that is published now, as a late subscriber sees it.
   static Inbox<ModeTrajectory>::Pointer latched_trajectory()
   {
     return Inbox<ModeTrajectory>("trajectory").wait_for_any();

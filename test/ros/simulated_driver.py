@@ -14,7 +14,7 @@ PATIENCE = 60.0  # how long to wait for what must happen [s]
 
 
 def wait_until(condition):
-    """For conditions that nobody announces."""
+    """For conditions that have no notification."""
     end = time.monotonic() + PATIENCE
     while not condition():
         if time.monotonic() > end:

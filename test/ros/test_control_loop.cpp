@@ -15,7 +15,7 @@ namespace
 
 constexpr double kBegin = 100.0;  ///< when the first measurement is made [s]
 
-/// A robot that stands at the map's origin, whatever it is told.
+/// A robot that stands at the map's origin and ignores commands.
 class ControlLoopTest : public testing::Test
 {
 protected:

@@ -237,7 +237,7 @@ TEST(ReedsShepp, DrivesOneArcToWhatLiesOnIt)
 
 TEST(ReedsShepp, KnowsTheHalfTurnForwardAndBackward)
 {
-  // Both lead to the same pose; a planner that prefers forward gear needs the one, whatever the rounding of pi.
+  // Both lead to the same pose; a planner that prefers forward gear needs the one, independent of the rounding of pi.
   const auto names = [](const Pose& goal) {
     ReedsSheppWords words;
     reeds_shepp_words(goal, words);

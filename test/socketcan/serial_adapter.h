@@ -35,7 +35,7 @@ public:
     ifreq interface {};
     EXPECT_EQ(ioctl(port_, SIOCGIFNAME, interface.ifr_name), 0);
     const std::string name = interface.ifr_name;
-    // The kernel makes it in the first network namespace, whichever this one is.
+    // The kernel makes it in the first network namespace, which need not be this one.
     run("ip link show " + name + " >/dev/null 2>&1 || nsenter --net=/proc/1/ns/net ip link set " + name + " netns $$");
     run("ip link set " + name + " name scan0 && ip link set scan0 up");
   }

@@ -33,7 +33,7 @@ using PolytopeCorridor = CorridorResult<Corridor>;
 ///
 /// Obstacle by obstacle, nearest first: let p on the chord and q on the obstacle be the nearest points, n the unit
 /// vector from p to q. The half-plane n x <= n q - min(r_c + shrink, |q - p|) holds the chord, since no point of it
-/// lies beyond p along n, and keeps its distance, since the obstacle, convex, lies beyond q. Whatever else lies that
+/// lies beyond p along n, and keeps its distance, since the obstacle, convex, lies beyond q. All else that lies that
 /// far beyond the half-plane needs none of its own. If the half-planes are used up before the obstacles are, and the
 /// nearest of those left is d + r_c + shrink away, the range is cut to d/sqrt(2): the corners of a rectangle that
 /// reaches so far beyond the chord are d away from it.

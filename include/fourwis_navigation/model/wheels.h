@@ -40,7 +40,7 @@ struct WheelMotion
 /// What a base is told to do with its wheels.
 struct WheelCommand
 {
-  Mode mode = Mode::none;  ///< the mode the wheels are set for; `none`: stop and hold the angles, whatever else it has
+  Mode mode = Mode::none;  ///< the mode the wheels are set for; `none`: stop and hold the angles, the rest is ignored
   std::uint32_t sequence = 0;  ///< grows from command to command; wraps around
   WheelMotion motion;
 };
@@ -52,7 +52,7 @@ enum class BaseState : std::uint8_t
   ready = 1,      ///< could move, but the drives are not enabled, or are just being enabled
   enabled = 2,    ///< follows commands
   stopping = 3,   ///< comes to rest by itself; commands are ignored
-  fault = 4       ///< at rest or coasting; needs somebody to clear it
+  fault = 4       ///< at rest or coasting; a person has to clear it
 };
 
 /// What a base says of its wheels.

@@ -14,7 +14,7 @@
 namespace fourwis::ocp
 {
 
-/// What the solver returns. Trajectory and multipliers are the last iterate whatever the status, except for
+/// What the solver returns. Trajectory and multipliers are the last iterate, except for
 /// `invalid_problem` and `not_finite`, where they say nothing.
 template <int NX, int NU>
 struct Solution

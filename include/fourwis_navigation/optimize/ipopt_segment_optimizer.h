@@ -15,7 +15,7 @@ public:
   /// Keeps references to robot and options.
   IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
-  /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense, whatever is in it, is not solved.
+  /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense is not solved.
   SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
                         const std::vector<char>& pinned, double tolerance, const Interrupt& interrupt) const;
 

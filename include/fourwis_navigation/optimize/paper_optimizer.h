@@ -53,7 +53,7 @@ public:
   PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed);
 
   /// Solves from the reference, driven in T = L / v_ref (21), or from `previous`, with as many points, where it is not
-  /// null. Never throws on segment and boxes, whatever is in them.
+  /// null. Never throws on any segment and boxes.
   PaperSolution solve(const Segment& segment, const BoxCorridor& boxes, const Trajectory* previous,
                       const Interrupt& interrupt) const;
 
