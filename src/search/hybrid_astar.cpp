@@ -30,12 +30,21 @@ constexpr double kNearGoal = 4.0;
 
 struct Node
 {
-  PathPiece piece;  ///< driven from the parent to here; length 0 for a switch and at the start
+  /// How the robot got here.
+  enum class Kind : std::uint8_t
+  {
+    start,
+    driven,   ///< along a piece
+    switched  ///< by changing the mode at rest
+  };
+
+  PathPiece piece;  ///< from the parent to here, where it was driven
   Pose pose;
   double g = 0.0;
   double h = 0.0;
-  int parent = -1;
+  int parent = -1;  ///< none at the start
   Mode mode = Mode::none;
+  Kind kind = Kind::start;
 };
 
 struct OpenEntry
@@ -85,12 +94,10 @@ public:
 
 private:
   const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
+  bool is_start(int n) const { return node(n).kind == Node::Kind::start; }
 
   /// The piece before a node, for costs that depend on it; null at the start and after a switch.
-  const PathPiece* previous_piece(int n) const
-  {
-    return node(n).parent >= 0 && node(n).piece.length != 0.0 ? &node(n).piece : nullptr;
-  }
+  const PathPiece* previous_piece(int n) const { return node(n).kind == Node::Kind::driven ? &node(n).piece : nullptr; }
 
   void push_start()
   {
@@ -131,7 +138,7 @@ private:
     if (n.mode == Mode::parallel)
     {
       direction = kFan;  // wheels free to choose
-      if (n.piece.length != 0.0)
+      if (n.kind == Node::Kind::driven)
         direction = static_cast<std::uint64_t>(std::lround(course_of(n.piece) * kFan / (2.0 * M_PI)) + kFan) % kFan;
     }
     const auto cell = [](double value, double size) {
@@ -162,7 +169,7 @@ private:
     if (--until_connection_ > 0) return false;
     until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * options_.primitive_length()));
 
-    curves_.candidates(node(n).pose, {node(n).mode, previous_piece(n), node(n).parent < 0}, request_.goal,
+    curves_.candidates(node(n).pose, {node(n).mode, previous_piece(n), is_start(n)}, request_.goal,
                        std::numeric_limits<double>::infinity(), candidates_);
     const std::size_t tried = std::min(kCurvesTried, candidates_.size());
     for (std::size_t i = 0; i < tried; ++i)
@@ -200,13 +207,13 @@ private:
 
   void expand_parallel(int n)
   {
-    if (node(n).piece.length != 0.0)
+    if (node(n).kind == Node::Kind::driven)
     {
       const double course = course_of(node(n).piece);
       for (int turn : {0, 1, -1, 3, -3}) push_translation(n, course + turn * 2.0 * M_PI / kFan);
       return;
     }
-    // Just switched, the wheels point wherever we want: the directions that lead closest to the goal, and straight at it.
+    // At rest the wheels point wherever we want: the directions that lead closest to the goal, and straight at it.
     std::array<std::pair<double, double>, kFan> fan;
     const Pose pose = node(n).pose;
     const double length = options_.primitive_length();
@@ -244,6 +251,7 @@ private:
       next.g = node(n).g + cost_.piece(piece, previous_piece(n));
       next.parent = n;
       next.mode = piece.mode;
+      next.kind = Node::Kind::driven;
       const int best = closed_[key(next)];
       if (best >= 0 && node(best).g <= next.g) return;
       next.h = heuristic(next);
@@ -254,13 +262,13 @@ private:
 
   void expand_switch(int n, Mode mode)
   {
-    if (node(n).parent >= 0 && node(n).piece.length == 0.0) return;  // one switch at a place is enough
+    if (node(n).kind == Node::Kind::switched) return;  // one switch at a place is enough
     Node next;
-    next.piece = {mode, node(n).pose, 0.0, 0.0};
     next.pose = node(n).pose;
-    next.g = node(n).g + cost_.mode_switch(node(n).parent < 0);
+    next.g = node(n).g + cost_.mode_switch(is_start(n));
     next.parent = n;
     next.mode = mode;
+    next.kind = Node::Kind::switched;
     next.h = heuristic(next);
     push(next);
   }
@@ -273,7 +281,7 @@ private:
     if (status != PlanStatus::succeeded) return result;
     std::vector<PathPiece>& pieces = result.path.pieces;
     for (int n = last_; n >= 0; n = node(n).parent)
-      if (node(n).piece.length != 0.0) pieces.push_back(node(n).piece);
+      if (node(n).kind == Node::Kind::driven) pieces.push_back(node(n).piece);
     std::reverse(pieces.begin(), pieces.end());
     pieces.insert(pieces.end(), connection_.pieces.begin(), connection_.pieces.begin() + connection_.count);
     result.path.goal = pieces.empty() ? request_.start
