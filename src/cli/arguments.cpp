@@ -79,7 +79,7 @@ ModeSet modes_in(const std::string& text)
   for (const std::string& word : split(text))
   {
     const std::optional<Mode> mode = mode_from_string(word);
-    if (!mode) reject_value("--modes", text, "a comma-separated list of ackermann, lateral, parallel");
+    if (!mode) reject_value("--modes", text, "a comma-separated list of " + planned_mode_names(", ", ", "));
     modes.insert(*mode);
   }
   return modes;
@@ -108,7 +108,7 @@ po::options_description known_options()
       "goal", value("X,Y,YAW"), "in the map frame [m, m, rad]")("robot", value("FILE"),
                                                                 "robot.yaml; default: the values of config/robot.yaml")(
       "planner", value("FILE"), "planner.yaml; default: the values of config/planner.yaml")(
-      "modes", value("MODES"), "modes to plan in, default ackermann,lateral,parallel")(
+      "modes", value("MODES"), ("modes to plan in, default " + planned_mode_names(",", ",")).c_str())(
       "frontend-only", "stop after the front end's own trajectory")("repeat", value("N"),
                                                                     "plan N times and report the medians of the times")(
       "json", value("FILE"), "write status, metrics and trajectory; - is the standard output")(

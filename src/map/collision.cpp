@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
 
@@ -33,7 +34,9 @@ double clearance_between_checks(double radius, double offset, double turning_rad
 
 double least_turning_radius(const Robot& robot)
 {
-  return 1.0 / std::max(max_curvature(robot, Mode::ackermann), max_curvature(robot, Mode::lateral));
+  double least = std::numeric_limits<double>::infinity();
+  for (Mode mode : kPlannedModes) least = std::min(least, turning_radius(robot, mode, robot.max_steering_angle));
+  return least;
 }
 
 }  // namespace

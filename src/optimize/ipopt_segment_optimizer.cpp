@@ -19,7 +19,7 @@ bool fits(const Segment& segment, const Corridor& corridor, const Trajectory* pr
          std::all_of(corridor.begin(), corridor.end(),
                      [n](const DiscRegions& disc) { return disc.regions.size() == n; }) &&
          (!previous || previous->size() == n + 1) && (pinned.empty() || pinned.size() == n + 1) &&
-         std::find(kPlannedModes.begin(), kPlannedModes.end(), segment.mode) != kPlannedModes.end();
+         is_planned(segment.mode);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
 namespace fourwis
@@ -34,7 +35,7 @@ double wheel_gain(const Robot& robot, Mode mode, double phi)
 
 MotionLimits::MotionLimits(const Robot& robot, Mode mode, double reference_speed)
   : speed(std::min({robot.max_speed, reference_speed})),
-    angle(mode == Mode::parallel ? robot.wheel_max_angle : robot.max_steering_angle),
+    angle(max_phi(robot, mode)),
     acceleration(robot.max_acceleration)
 {
   speed = std::min(speed, kReserve * robot.wheel_max_speed / wheel_speed_ratio(robot, mode, angle));

@@ -34,8 +34,7 @@ bool fits(const Segment& segment, const BoxCorridor& boxes, const Trajectory* pr
 {
   const std::size_t n = segment.intervals();
   return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && boxes.front.size() == n + 1 &&
-         boxes.rear.size() == n + 1 && (!previous || previous->size() == n + 1) &&
-         std::find(kPlannedModes.begin(), kPlannedModes.end(), segment.mode) != kPlannedModes.end();
+         boxes.rear.size() == n + 1 && (!previous || previous->size() == n + 1) && is_planned(segment.mode);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
+
 namespace fourwis
 {
 namespace
@@ -48,11 +50,9 @@ struct SimpsonDynamics::Nodes
 };
 
 SimpsonDynamics::SimpsonDynamics(const Robot& robot, Mode mode)
-  : k_(mode == Mode::ackermann ? 2.0 / robot.wheelbase
-       : mode == Mode::lateral ? 2.0 / robot.track_width
-                               : 0.0),
-    beta_(mode == Mode::lateral ? M_PI_2 : 0.0),
-    gamma_(mode == Mode::parallel ? 1.0 : 0.0)
+  : k_(curvature_gain(robot, mode)),
+    beta_(traits_of(mode).course.angle),
+    gamma_(traits_of(mode).follows_phi ? 1.0 : 0.0)
 {}
 
 SimpsonDynamics::Nodes SimpsonDynamics::nodes(const State& x, const Control& u) const

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
+
 namespace fourwis
 {
 namespace
@@ -13,9 +15,8 @@ constexpr double kRounding = 0.05;
 
 double ratio(const Robot& robot, Mode mode)
 {
-  if (mode == Mode::ackermann) return robot.track_width / robot.wheelbase;
-  if (mode == Mode::lateral) return robot.wheelbase / robot.track_width;
-  return 0.0;
+  const ModeTraits& traits = traits_of(mode);
+  return traits.turns_with_phi() ? robot.*traits.gauge / (robot.*traits.base) : 0.0;
 }
 
 /// Where dD/dphi = 0: cos^2 2 phi = c^2 (1 + rounding^2) / (4 + c^2).

@@ -10,8 +10,9 @@ namespace fourwis
 
 /// No wheel turns faster than it can within an interval of constant d phi / dt = omega: two rows g <= 0.
 ///
-/// The wheel at (x, y) = (+-L/2, +-W/2) stands at delta = atan2(.., ..) with, for c = W/L in ackermann and L/W in lateral
-/// mode, d delta / d phi = 1 / (1 -+ c sin 2 phi + c^2 sin^2 phi). The greatest of them all is therefore 1/D with
+/// The wheel at (x, y) = (+-L/2, +-W/2) stands at delta = atan2(.., ..) with, for c = gauge / base of the mode (W/L in
+/// ackermann, L/W in lateral), d delta / d phi = 1 / (1 -+ c sin 2 phi + c^2 sin^2 phi). The greatest of them all is
+/// therefore 1/D with
 ///   D(phi) = 1 - c |sin 2 phi| + c^2 sin^2 phi.
 /// |s| is replaced by sqrt(s^2 + 0.05^2), which is smooth and no less, and D by its minimum beyond the |phi| where it has
 /// one: then it is least where |phi| is greatest, at an end of the interval. With r the wheels' greatest rate the rows are

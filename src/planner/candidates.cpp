@@ -66,11 +66,10 @@ Candidates find_one(const FrontEnd& front_end, const SearchOptions& options, con
 Candidates find_several(const FrontEnd& front_end, const Robot& robot, const SearchOptions& options,
                         const ModeSet& modes, const Interrupt& interrupt, std::vector<Pose>* expanded)
 {
-  const ModeSet ackermann{true, false, false};
+  const ModeSet car = {kCarMode};
   std::vector<Wish> wishes = {{modes, time_costs(robot, options, 0.0), Effort::thorough}};
-  if (modes.ackermann && (modes.lateral || modes.parallel))
-    wishes.push_back({ackermann, time_costs(robot, options, 0.0), Effort::quick});
-  if (modes.ackermann) wishes.push_back({ackermann, time_costs(robot, options, kSoftened), Effort::quick});
+  if (modes.contains(kCarMode) && modes != car) wishes.push_back({car, time_costs(robot, options, 0.0), Effort::quick});
+  if (modes.contains(kCarMode)) wishes.push_back({car, time_costs(robot, options, kSoftened), Effort::quick});
 
   std::vector<SearchResult> results(wishes.size());
   in_parallel(wishes.size(), [&](std::size_t i) {

@@ -52,10 +52,9 @@ std::string search_sentence(PlanStatus status, int expansions, const PlanRequest
     case PlanStatus::timeout: return sentence("planner_patience was over after %d expansions", expansions);
     case PlanStatus::cancelled: return sentence("cancelled after %d expansions", expansions);
     default:
-      return sentence("no path found in %d expansions, and no proof that there is none: %s", expansions,
-                      request.modes.ackermann && request.modes.lateral && request.modes.parallel
-                          ? "the way may be too narrow to turn in"
-                          : "more modes may get through");
+      return sentence(
+          "no path found in %d expansions, and no proof that there is none: %s", expansions,
+          request.modes == ModeSet() ? "the way may be too narrow to turn in" : "more modes may get through");
   }
 }
 

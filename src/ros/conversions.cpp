@@ -127,7 +127,7 @@ ModeSet to_modes(const std::vector<std::string>& names)
   for (const std::string& name : names)
   {
     const auto mode = mode_from_string(name);
-    if (!mode) reject<ConversionError>("modes: '", name, "' is unknown, expected ackermann, lateral or parallel");
+    if (!mode) reject<ConversionError>("modes: '", name, "' is unknown, expected ", planned_mode_names(", ", " or "));
     modes.insert(*mode);
   }
   return modes;

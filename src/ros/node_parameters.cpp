@@ -68,7 +68,7 @@ ModeSet modes(const std::string& list)
   }
   catch (const ConversionError&)
   {}
-  refuse("modes", list, "names out of ackermann, lateral and parallel with commas between them");
+  refuse("modes", list, "names out of " + planned_mode_names(", ", " and ") + " with commas between them");
 }
 
 GlobalPlannerOptions options_from(KeyReader& reader)

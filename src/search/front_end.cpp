@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "mode_curves.h"
 #include "motion_cost.h"
 #include "reachability.h"
@@ -71,7 +72,7 @@ Path shortened(const CollisionChecker& checker, const Robot& robot, const Search
 
 bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
 {
-  return modes.ackermann || modes.lateral || std::abs(wrap_angle(goal.theta - start.theta)) <= ModeCurves::kSameHeading;
+  return can_turn(modes) || std::abs(wrap_angle(goal.theta - start.theta)) <= ModeCurves::kSameHeading;
 }
 
 FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,

@@ -9,6 +9,7 @@
 
 #include "closed_list.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "mode_curves.h"
 #include "motion_cost.h"
 
@@ -19,7 +20,7 @@ namespace
 
 /// A primitive that does not fit is tried at these fractions of its length.
 constexpr std::array<double, 3> kFractions = {1.0, 0.5, 0.25};
-/// Directions of travel sampled on entering parallel motion, when the wheels are free to be turned anywhere.
+/// Directions of travel sampled on entering a mode that follows phi, when the wheels are free to be turned anywhere.
 constexpr int kFan = 12;
 /// Of them, this many that lead closest to the goal are tried.
 constexpr int kFanTried = 4;
@@ -129,13 +130,13 @@ private:
     open_.push({candidate.g + options_.heuristic_weight * candidate.h, best});
   }
 
-  /// Cell of (x, y, theta, mode), and of the direction of travel in parallel mode.
+  /// Cell of (x, y, theta, mode), and of the direction of travel in a mode that follows phi.
   std::uint64_t key(const Node& n) const
   {
     const double turns = n.pose.theta / (2.0 * M_PI);
     const double heading = (turns - std::floor(turns)) * 2.0 * M_PI;
     std::uint64_t direction = 0;
-    if (n.mode == Mode::parallel)
+    if (traits_of(n.mode).follows_phi)
     {
       direction = kFan;  // wheels free to choose
       if (n.kind == Node::Kind::driven)
@@ -150,7 +151,7 @@ private:
            direction << 59;
   }
 
-  /// Direction of travel relative to the heading of a parallel piece.
+  /// Direction of travel relative to the heading of a piece in a mode that follows phi.
   static double course_of(const PathPiece& piece) { return piece.length < 0.0 ? piece.phi + M_PI : piece.phi; }
 
   double heuristic(const Node& n) const
@@ -195,17 +196,17 @@ private:
   // --- paper Algorithm 1, lines 15 to 26 -------------------------------------------------------------------------
   void expand_within_mode(int n)
   {
-    if (node(n).mode == Mode::parallel)
+    if (traits_of(node(n).mode).follows_phi)
     {
-      expand_parallel(n);
+      expand_translation(n);
       return;
     }
-    const double phi_max = robot_.max_steering_angle;
+    const double phi_max = max_phi(robot_, node(n).mode);
     for (double phi : {0.0, phi_max, -phi_max})
       for (double direction : {1.0, -1.0}) push_primitive(n, phi, direction);
   }
 
-  void expand_parallel(int n)
+  void expand_translation(int n)
   {
     if (node(n).kind == Node::Kind::driven)
     {

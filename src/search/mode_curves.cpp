@@ -14,13 +14,13 @@ namespace
 
 /// Shorter pieces are rounding [m].
 constexpr double kNoLength = 1e-9;
-constexpr Mode kTurningModes[] = {Mode::ackermann, Mode::lateral};
 
-/// The goal as Reeds and Shepp see it: the mode's forward axis is x, the turning radius is one.
+/// The goal as Reeds and Shepp see it: the mode's course is x, the turning radius is one.
 Pose in_turning_radii(const Pose& relative, Mode mode, double kappa)
 {
-  if (mode == Mode::lateral) return {relative.y * kappa, -relative.x * kappa, relative.theta};
-  return {relative.x * kappa, relative.y * kappa, relative.theta};
+  const Course& course = traits_of(mode).course;
+  return {(course.cosine * relative.x + course.sine * relative.y) * kappa,
+          (course.cosine * relative.y - course.sine * relative.x) * kappa, relative.theta};
 }
 
 /// Wheel angle in [-pi/2, pi/2] and signed length of the straight line to (x, y) in the body frame.
@@ -29,7 +29,7 @@ void append_straight(double x, double y, ModeCurve& curve)
   const double length = std::hypot(x, y);
   if (length < kNoLength) return;
   const bool backward = x < 0.0;
-  curve.append(Mode::parallel, backward ? std::atan2(-y, -x) : std::atan2(y, x), backward ? -length : length);
+  curve.append(kTranslation, backward ? std::atan2(-y, -x) : std::atan2(y, x), backward ? -length : length);
 }
 
 }  // namespace
@@ -47,13 +47,13 @@ void ModeCurves::candidates(const Pose& from, const Situation& situation, const 
   curves.clear();
   Pose relative = relative_to(from, goal);
   relative.theta = wrap_angle(relative.theta);
-  for (Mode turning : kTurningModes)
-    if (modes_.contains(turning))
+  for (Mode turning : kPlannedModes)
+    if (may_turn_in(turning))
     {
       append_reeds_shepp(relative, turning, budget, curves);
-      if (modes_.parallel) append_turn_and_translate(relative, turning, curves);
+      if (may_translate()) append_turn_and_translate(relative, turning, curves);
     }
-  if (modes_.parallel) append_parallel(relative, curves);
+  if (may_translate()) append_translation(relative, curves);
   for (ModeCurve& curve : curves) curve.cost = curve_cost(curve, situation);
   const auto useless = [&](const ModeCurve& curve) { return curve.count == 0 || curve.cost >= budget; };
   curves.erase(std::remove_if(curves.begin(), curves.end(), useless), curves.end());
@@ -80,7 +80,7 @@ void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double long
   }
 }
 
-void ModeCurves::append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const
+void ModeCurves::append_translation(const Pose& relative, std::vector<ModeCurve>& curves) const
 {
   if (std::abs(relative.theta) > kSameHeading) return;
   ModeCurve curve;
@@ -156,18 +156,18 @@ double ModeCurves::length_with_switches(const Pose& from, Mode mode, const Pose&
   double least = std::numeric_limits<double>::infinity();
   const double change = cost_.mode_switch(false);
   const bool same_heading = std::abs(relative.theta) <= kSameHeading;
-  if (modes_.parallel && same_heading)
-    least = std::hypot(relative.x, relative.y) + (mode == Mode::parallel ? 0.0 : change);
-  for (Mode turning : kTurningModes)
+  if (may_translate() && same_heading)
+    least = std::hypot(relative.x, relative.y) + (mode == kTranslation ? 0.0 : change);
+  for (Mode turning : kPlannedModes)
   {
-    if (!modes_.contains(turning)) continue;
+    if (!may_turn_in(turning)) continue;
     const double kappa = max_curvature(robot_, turning);
     const double length = reeds_shepp_length(in_turning_radii(relative, turning, kappa)) / kappa;
     least = std::min(least, length + (mode == turning ? 0.0 : change));
-    if (!modes_.parallel || same_heading) continue;
+    if (!may_translate() || same_heading) continue;
     const double turn = std::abs(relative.theta) / kappa;
     const double straight = std::max(0.0, std::hypot(relative.x, relative.y) - turn);
-    const int switches = mode == turning || mode == Mode::parallel ? 1 : 2;
+    const int switches = mode == turning || mode == kTranslation ? 1 : 2;
     least = std::min(least, turn + straight + switches * change);
   }
   return least;

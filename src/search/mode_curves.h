@@ -8,6 +8,7 @@
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/search/search_options.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "motion_cost.h"
 
 namespace fourwis
@@ -62,8 +63,12 @@ public:
   double length_with_switches(const Pose& from, Mode mode, const Pose& goal) const;
 
 private:
+  /// Whether curves may have arcs of a mode, and whether they may have straight lines in any direction.
+  bool may_turn_in(Mode mode) const { return modes_.contains(mode) && traits_of(mode).turns_with_phi(); }
+  bool may_translate() const { return modes_.contains(kTranslation); }
+
   void append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const;
-  void append_parallel(const Pose& relative, std::vector<ModeCurve>& curves) const;
+  void append_translation(const Pose& relative, std::vector<ModeCurve>& curves) const;
   void append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const;
   double curve_cost(const ModeCurve& curve, const Situation& situation) const;
 

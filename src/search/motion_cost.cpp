@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
+
 namespace fourwis
 {
 
@@ -21,8 +23,9 @@ MotionCost::MotionCost(const Robot& robot, const SearchOptions& options)
 double MotionCost::piece(const PathPiece& piece, const PathPiece* previous) const
 {
   const double length = std::abs(piece.length), primitives = length * per_metre_;
-  const double steer = piece.mode == Mode::parallel ? options_.parallel_steering_penalty : options_.steering_penalty;
-  const double reverse = piece.mode == Mode::lateral ? options_.lateral_reverse_penalty : options_.reverse_penalty;
+  const ModeTraits& traits = traits_of(piece.mode);
+  const double steer = traits.follows_phi ? options_.parallel_steering_penalty : options_.steering_penalty;
+  const double reverse = traits.goes_sideways() ? options_.lateral_reverse_penalty : options_.reverse_penalty;
   double cost = length + primitives * steer * std::abs(piece.phi);
   if (piece.length < 0.0) cost += primitives * reverse;
   if (!previous || previous->mode != piece.mode) return cost;

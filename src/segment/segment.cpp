@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "parallel_angle.h"
 
 namespace fourwis
@@ -33,8 +34,7 @@ void require_positive(double value, const char* name)
 
 bool is_usable(const PathPiece& piece, const Robot& robot)
 {
-  const bool planned = std::find(kPlannedModes.begin(), kPlannedModes.end(), piece.mode) != kPlannedModes.end();
-  return planned && is_finite(piece.start) && std::isfinite(piece.phi) && std::isfinite(piece.length) &&
+  return is_planned(piece.mode) && is_finite(piece.start) && std::isfinite(piece.phi) && std::isfinite(piece.length) &&
          std::isfinite(curvature(robot, piece.mode, piece.phi));
 }
 
@@ -149,7 +149,7 @@ std::vector<Segment> split_at_switches(const Path& path, const Robot& robot, dou
   {
     const auto end = std::find_if(begin, pieces.end(), [&](const PathPiece& p) { return p.mode != begin->mode; });
     std::vector<PathPiece> part(begin, end);
-    if (begin->mode == Mode::parallel) keep_angle_near(part, robot.wheel_max_angle);
+    if (traits_of(begin->mode).follows_phi) keep_angle_near(part, robot.wheel_max_angle);
     segments.push_back(resample(part, robot, spacing));
     begin = end;
   }

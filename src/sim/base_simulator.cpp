@@ -25,7 +25,7 @@ bool is_usable(const WheelCommand& command)
 {
   const auto finite = [](double value) { return std::isfinite(value); };
   const PerWheel &angle = command.motion.angle, &speed = command.motion.speed;
-  return command.mode <= Mode::spin && std::all_of(angle.begin(), angle.end(), finite) &&
+  return is_mode(command.mode) && std::all_of(angle.begin(), angle.end(), finite) &&
          std::all_of(speed.begin(), speed.end(), finite);
 }
 

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "roll_out.h"
 
 namespace fourwis
@@ -29,21 +30,16 @@ bool is_finite(const TrajectoryPoint& p)
   return std::isfinite(p.t) && is_finite(p.pose()) && std::isfinite(p.v) && std::isfinite(p.phi);
 }
 
-bool is_known(Mode mode)
-{
-  return mode == Mode::ackermann || mode == Mode::lateral || mode == Mode::parallel;
-}
-
 std::string check_point(const Robot& robot, const Trajectory& points, std::size_t k)
 {
   const TrajectoryPoint& p = points[k];
   if (!is_finite(p)) return at_point(k, "holds something that is no finite number", p.t);
-  if (!is_known(p.mode)) return at_point(k, "its mode is not known", double(p.mode));
+  if (!is_planned(p.mode)) return at_point(k, "its mode is not known", double(p.mode));
   if (k > 0 && !(p.t > points[k - 1].t)) return at_point(k, "its time is not later than the one before [s]", p.t);
   if (p.t - points.front().t > kLongest) return at_point(k, "it lies more than an hour ahead [s]", p.t);
   if (std::abs(p.v) > robot.max_speed * (1.0 + kRounding)) return at_point(k, "faster than max_speed [m/s]", p.v);
-  const double steering = p.mode == Mode::parallel ? robot.wheel_max_angle : robot.max_steering_angle;
-  if (std::abs(p.phi) > steering * (1.0 + kRounding)) return at_point(k, "steers more than the robot can [rad]", p.phi);
+  if (std::abs(p.phi) > max_phi(robot, p.mode) * (1.0 + kRounding))
+    return at_point(k, "steers more than the robot can [rad]", p.phi);
   return {};
 }
 

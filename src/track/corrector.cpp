@@ -12,7 +12,7 @@ namespace fourwis
 namespace
 {
 
-constexpr TrajectoryPoint kNowhere = {0.0, Mode::parallel};
+constexpr TrajectoryPoint kNowhere = {};
 
 /// Longest correction of a robot that is as far away as it may be [s].
 double longest(const Robot& robot, const TrackOptions& options)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 
 namespace fourwis
 {
@@ -38,7 +39,7 @@ Creep creeping_turn(const Robot& robot, const Pose& from, double angle, double s
 {
   const double radius = spin_radius(robot);
   const auto turned = [&](double s) { return Pose{from.x, from.y, from.theta + s / radius}; };
-  return creep(Mode::spin, 0.0, angle * radius, speed, turned);
+  return creep(kTurnInPlace, 0.0, angle * radius, speed, turned);
 }
 
 Creep creeping_shift(const Pose& from, const Pose& to, double speed)
@@ -52,7 +53,7 @@ Creep creeping_shift(const Pose& from, const Pose& to, double speed)
   const auto shifted = [&](double s) {
     return Pose{from.x + s * std::cos(course), from.y + s * std::sin(course), from.theta};
   };
-  return creep(Mode::parallel, phi, way, speed, shifted);
+  return creep(kTranslation, phi, way, speed, shifted);
 }
 
 }  // namespace fourwis

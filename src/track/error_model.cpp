@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 
 namespace fourwis
 {
@@ -26,21 +27,13 @@ enum Index
 ErrorModel::ErrorModel(const Robot& robot, Mode mode)
   : robot_(robot),
     mode_(mode),
-    moves_(mode == Mode::spin ? 0.0 : 1.0),
-    crabs_(mode == Mode::parallel ? 1.0 : 0.0)
+    moves_(traits_of(mode).translates ? 1.0 : 0.0),
+    crabs_(traits_of(mode).follows_phi ? 1.0 : 0.0)
 {}
 
 double ErrorModel::curvature(double phi) const
 {
-  return mode_ == Mode::spin ? 1.0 / spin_radius(robot_) : fourwis::curvature(robot_, mode_, phi);
-}
-
-double ErrorModel::curvature_slope(double phi) const
-{
-  const double tangent = std::tan(phi);
-  if (mode_ == Mode::ackermann) return 2.0 / robot_.wheelbase * (1.0 + tangent * tangent);
-  if (mode_ == Mode::lateral) return 2.0 / robot_.track_width * (1.0 + tangent * tangent);
-  return 0.0;
+  return fourwis::curvature(robot_, mode_, phi);
 }
 
 double ErrorModel::course_rate(const ReferencePoint& reference) const
@@ -60,7 +53,7 @@ ErrorState ErrorModel::error(const MotionState& state, const MotionState& refere
 
 double ErrorModel::advance(const ErrorState& error) const
 {
-  return mode_ == Mode::spin ? error[kHeading] * spin_radius(robot_) : error[kAlong];
+  return traits_of(mode_).translates ? error[kAlong] : error[kHeading] * spin_radius(robot_);
 }
 
 Pose ErrorModel::pose(const ErrorState& error, const MotionState& reference) const
@@ -91,7 +84,7 @@ Eigen::Matrix<double, 5, 7> ErrorModel::jacobian(const ReferencePoint& middle, d
   slope(kAcross, kSteering) = h * moves_ * v * crabs_;
   slope(kAcross, kAlong) = -h * turn;
   slope(kHeading, kSpeed) = h * curvature(phi);
-  slope(kHeading, kSteering) = h * v * curvature_slope(phi);
+  slope(kHeading, kSteering) = h * v * curvature_slope(robot_, mode_, phi);
   slope(kSpeed, kA) = slope(kSteering, kOmega) = h;
 
   // exp([A B; 0 0] h) = 1 + M + M^2/2 + M^3/6, whose lower rows are those of the unit matrix.
@@ -104,10 +97,10 @@ Eigen::Matrix<double, 5, 7> ErrorModel::jacobian(const ReferencePoint& middle, d
 
 double ErrorModel::steering_gain(double phi) const
 {
-  if (mode_ == Mode::parallel) return 1.0;
+  if (traits_of(mode_).follows_phi) return 1.0;
   // Velocity of an axis for v = 1, and its derivative with respect to phi, which comes from the yaw rate alone.
   const Twist twist = body_twist(robot_, mode_, 1.0, phi);
-  const double slope = curvature_slope(phi);
+  const double slope = curvature_slope(robot_, mode_, phi);
   double greatest = 0.0;
   for (const WheelPosition& wheel : wheel_positions(robot_))
   {

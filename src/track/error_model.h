@@ -49,13 +49,12 @@ public:
 
 private:
   double curvature(double phi) const;
-  double curvature_slope(double phi) const;  ///< d kappa / d phi
   double course_rate(const ReferencePoint& reference) const;
 
   Robot robot_;
   Mode mode_;
-  double moves_;  ///< 0 in spin, otherwise 1
-  double crabs_;  ///< gamma: 1 in parallel mode, otherwise 0
+  double moves_;  ///< 1 where C moves, otherwise 0
+  double crabs_;  ///< gamma: 1 where the course follows phi, otherwise 0
 };
 
 }  // namespace fourwis

@@ -26,7 +26,7 @@ Follower::Follower(const Robot& robot, const TrackOptions& options)
     mpc_(robot, options),
     forecast_(robot, options),
     watch_(options),
-    error_model_(robot, Mode::ackermann)
+    error_model_(robot, Mode::none)
 {}
 
 void Follower::start(const Reference& reference, const SteeringRange& steering, const Measurement& now)

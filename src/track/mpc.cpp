@@ -59,7 +59,7 @@ void HorizonModel::differentiate_terminal(const State& x, Terminal& terminal) co
   terminal.hessian.diagonal() = end_weight * state_weight;
 }
 
-Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error_model_(robot, Mode::ackermann)
+Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error_model_(robot, Mode::none)
 {
   const std::size_t count = static_cast<std::size_t>(options.knots);
   const double first = 1.0 / options.controller_frequency;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
+
 namespace fourwis
 {
 namespace
@@ -14,7 +16,7 @@ constexpr double kReserves[] = {0.2, 0.1, 0.05, 0.0};
 
 Trouble SteeringUnit::choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured)
 {
-  const double limit = mode == Mode::parallel ? robot_.wheel_max_angle : robot_.max_steering_angle;
+  const double limit = max_phi(robot_, mode);
   BranchedMotion chosen;
   for (const double reserve : kReserves)
   {

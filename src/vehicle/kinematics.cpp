@@ -2,17 +2,22 @@
 
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
+
 namespace fourwis
 {
 
 double curvature(const Robot& robot, Mode mode, double phi)
 {
-  switch (mode)
-  {
-    case Mode::ackermann: return 2.0 * std::tan(phi) / robot.wheelbase;
-    case Mode::lateral: return 2.0 * std::tan(phi) / robot.track_width;
-    default: return 0.0;
-  }
+  const ModeTraits& traits = traits_of(mode);
+  if (traits.turns_with_phi()) return 2.0 * std::tan(phi) / (robot.*traits.base);
+  return traits.turns_in_place ? 1.0 / spin_radius(robot) : 0.0;
+}
+
+double curvature_slope(const Robot& robot, Mode mode, double phi)
+{
+  const double tangent = std::tan(phi);
+  return curvature_gain(robot, mode) * (1.0 + tangent * tangent);
 }
 
 double spin_radius(const Robot& robot)
@@ -25,34 +30,35 @@ double max_curvature(const Robot& robot, Mode mode)
   return curvature(robot, mode, robot.max_steering_angle);
 }
 
+double turning_radius(const Robot& robot, Mode mode, double phi)
+{
+  return traits_of(mode).translates ? 1.0 / std::abs(curvature(robot, mode, phi)) : 0.0;
+}
+
 double course(Mode mode, double phi)
 {
-  switch (mode)
-  {
-    case Mode::lateral: return M_PI_2;
-    case Mode::parallel: return phi;
-    default: return 0.0;
-  }
+  const ModeTraits& traits = traits_of(mode);
+  return traits.follows_phi ? phi : traits.course.angle;
 }
 
 Twist body_twist(const Robot& robot, Mode mode, double v, double phi)
 {
-  switch (mode)
-  {
-    case Mode::ackermann: return {v, 0.0, v * curvature(robot, mode, phi)};
-    case Mode::lateral: return {0.0, v, v * curvature(robot, mode, phi)};
-    case Mode::parallel: return {v * std::cos(phi), v * std::sin(phi), 0.0};
-    case Mode::spin: return {0.0, 0.0, v / spin_radius(robot)};
-    default: return {};
-  }
+  const ModeTraits& traits = traits_of(mode);
+  const double omega = v * curvature(robot, mode, phi);
+  if (!traits.translates) return {0.0, 0.0, omega};
+  if (traits.follows_phi) return {v * std::cos(phi), v * std::sin(phi), omega};
+  return {v * traits.course.cosine, v * traits.course.sine, omega};
 }
 
 Arc::Arc(const Robot& robot, const Pose& start, Mode mode, double phi)
   : start_(start),
     kappa_(fourwis::curvature(robot, mode, phi)),
     cos_(std::cos(start.theta)),
-    sin_(std::sin(start.theta))
+    sin_(std::sin(start.theta)),
+    cos_course_(0.0),
+    sin_course_(0.0)
 {
+  if (!traits_of(mode).translates) return;
   const double angle = course(mode, phi), c = std::cos(angle), s = std::sin(angle);
   cos_course_ = cos_ * c - sin_ * s;
   sin_course_ = sin_ * c + cos_ * s;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
@@ -20,11 +21,11 @@ struct Sweep
   double start, low, high;
 };
 
-/// The wheels of a parallel motion follow phi. In the other modes the velocity of a wheel runs along a straight line as
+/// Wheels that follow phi do so without end. In the other modes the velocity of a wheel runs along a straight line as
 /// tan(phi) grows, so that its direction turns one way only and by less than pi on either side of phi = 0.
 Sweep sweep_of(const Robot& robot, const SteeringStretch& stretch, std::size_t wheel)
 {
-  if (stretch.mode == Mode::parallel) return {stretch.start, stretch.low, stretch.high};
+  if (traits_of(stretch.mode).follows_phi) return {stretch.start, stretch.low, stretch.high};
   const double straight = wheel_angles(robot, stretch.mode, 0.0)[wheel];
   const auto angle = [&](double phi) {
     return straight + std::remainder(wheel_angles(robot, stretch.mode, phi)[wheel] - straight, 2.0 * M_PI);

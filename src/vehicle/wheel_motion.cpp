@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
 namespace fourwis
@@ -29,17 +30,18 @@ double common_angle(const PerWheel& angles, double near_phi)
   return near_phi + std::remainder(std::atan2(sine, cosine) / 2.0 - near_phi, M_PI);
 }
 
-/// phi of a mode that turns about a point on one of the body's axes. The wheels do not slip sideways where
-/// across = curvature * along, which is linear in the curvature 2 tan(phi) / base.
-double turning_angle(const Robot& robot, Mode mode, const PerWheel& angles)
+/// phi of a mode that turns with phi. The wheels do not slip sideways where across = curvature * along, which is linear
+/// in the curvature 2 tan(phi) / base.
+double turning_angle(const Robot& robot, const ModeTraits& traits, const PerWheel& angles)
 {
-  const double base = mode == Mode::ackermann ? robot.wheelbase : robot.track_width;
+  const double base = robot.*traits.base;
+  const Course& course = traits.course;
   const auto axes = wheel_positions(robot);
   double product = 0.0, square = 0.0;
   for (std::size_t i = 0; i < kWheels; ++i)
   {
-    const double along = axes[i].x * std::cos(angles[i]) + axes[i].y * std::sin(angles[i]);
-    const double across = mode == Mode::ackermann ? std::sin(angles[i]) : -std::cos(angles[i]);
+    const double c = std::cos(angles[i]), s = std::sin(angles[i]);
+    const double along = axes[i].x * c + axes[i].y * s, across = course.cosine * s - course.sine * c;
     product += across * along;
     square += along * along;
   }
@@ -48,13 +50,9 @@ double turning_angle(const Robot& robot, Mode mode, const PerWheel& angles)
 
 double equivalent_angle(const Robot& robot, Mode mode, const PerWheel& angles, double near_phi)
 {
-  switch (mode)
-  {
-    case Mode::ackermann:
-    case Mode::lateral: return turning_angle(robot, mode, angles);
-    case Mode::parallel: return common_angle(angles, near_phi);
-    default: return 0.0;
-  }
+  const ModeTraits& traits = traits_of(mode);
+  if (traits.turns_with_phi()) return turning_angle(robot, traits, angles);
+  return traits.follows_phi ? common_angle(angles, near_phi) : 0.0;
 }
 
 }  // namespace

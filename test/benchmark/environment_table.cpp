@@ -36,7 +36,7 @@ std::vector<std::string> paper_cells(const PaperResult& paper)
 
 std::vector<std::string> row(Setup setup, const Problem& environment, const OccupancyGrid& grid, bool all_modes)
 {
-  setup.modes = all_modes ? ModeSet() : ModeSet{true, false, false};
+  setup.modes = all_modes ? ModeSet() : ModeSet{Mode::ackermann};
   const Measurement measurement = measure(setup, grid, environment.start, environment.goal);
   std::vector<std::string> cells = {environment.id, all_modes ? "Multi-SC" : "Single-SC"};
   const std::vector<std::string> ours = our_cells(measurement);

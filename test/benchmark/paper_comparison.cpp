@@ -127,7 +127,7 @@ void report_paper_comparison(const Report& report, const Setup& setup, const std
                "default T s", "default CPU ms", "default referee", "planner AT s", "planner CPU ms", "paper AT",
                "paper CT ms"});
   Setup ackermann = setup;
-  ackermann.modes = {true, false, false};
+  ackermann.modes = {Mode::ackermann};
   std::vector<std::string> objections;
   MapShelf maps;
   for (const Problem& environment : environments)

@@ -55,7 +55,7 @@ TEST(Arguments, DefaultsAreAllModesOnePlanAndNoOutput)
   EXPECT_EQ(arguments.goal.x, 4.0);
   EXPECT_EQ(arguments.goal.y, 5.0);
   EXPECT_EQ(arguments.goal.theta, 6.0);
-  EXPECT_TRUE(arguments.modes.ackermann && arguments.modes.lateral && arguments.modes.parallel);
+  EXPECT_TRUE(arguments.modes == (ModeSet{Mode::ackermann, Mode::lateral, Mode::parallel}));
   EXPECT_FALSE(arguments.frontend_only);
   EXPECT_FALSE(arguments.corridors);
   EXPECT_FALSE(arguments.iterations);
@@ -102,8 +102,7 @@ TEST(Arguments, EveryOptionIsRead)
   EXPECT_EQ(arguments.goal.x, -4.0);
   EXPECT_EQ(arguments.robot, "r.yaml");
   EXPECT_EQ(arguments.planner, "p.yaml");
-  EXPECT_FALSE(arguments.modes.ackermann);
-  EXPECT_TRUE(arguments.modes.lateral && arguments.modes.parallel);
+  EXPECT_TRUE(arguments.modes == (ModeSet{Mode::lateral, Mode::parallel}));
   EXPECT_TRUE(arguments.frontend_only);
   EXPECT_TRUE(arguments.corridors);
   EXPECT_TRUE(arguments.iterations);

@@ -40,6 +40,25 @@ TEST(Mode, IsNotFoundByAnyOtherName)
     EXPECT_FALSE(mode_from_string(name)) << name;
 }
 
+TEST(Mode, OfAnyNumberIsOneOfTheListOrNone)
+{
+  for (int number = 0; number < 256; ++number)
+  {
+    const Mode mode = static_cast<Mode>(number);
+    EXPECT_EQ(is_mode(mode), number < static_cast<int>(kModeCount)) << number;
+    EXPECT_EQ(kModes[index_of(mode)].mode, is_mode(mode) ? mode : Mode::none) << number;
+    EXPECT_STREQ(to_string(mode), kModes[index_of(mode)].name) << number;
+    EXPECT_EQ(is_planned(mode), mode_from_string(is_mode(mode) ? to_string(mode) : "").has_value()) << number;
+    EXPECT_EQ(is_planned(mode), ModeSet().contains(mode)) << number;
+  }
+}
+
+TEST(Mode, ThePlannedOnesAreListedByName)
+{
+  EXPECT_EQ(planned_mode_names(", ", " or "), "ackermann, lateral or parallel");
+  EXPECT_EQ(planned_mode_names(",", ","), "ackermann,lateral,parallel");
+}
+
 TEST(ModeSet, HoldsExactlyWhatWasInserted)
 {
   for (int bits = 0; bits < 8; ++bits)
@@ -69,10 +88,18 @@ TEST(ModeSet, NeverHoldsAModeThatIsNotPlanned)
 TEST(ModeSet, StartsWithItsFirstModeInTheOrderOfTies)
 {
   EXPECT_EQ(ModeSet().first(), Mode::ackermann);
-  EXPECT_EQ((ModeSet{false, true, true}).first(), Mode::lateral);
-  EXPECT_EQ((ModeSet{false, false, true}).first(), Mode::parallel);
+  EXPECT_EQ((ModeSet{Mode::lateral, Mode::parallel}).first(), Mode::lateral);
+  EXPECT_EQ((ModeSet{Mode::parallel}).first(), Mode::parallel);
   EXPECT_EQ(ModeSet::none().first(), Mode::none);
   for (const ModeSet& set : all_mode_sets()) EXPECT_TRUE(set.contains(set.first()));
+}
+
+TEST(ModeSet, IsTheSameWhateverTheOrderOfInsertion)
+{
+  EXPECT_TRUE((ModeSet{Mode::parallel, Mode::ackermann}) == (ModeSet{Mode::ackermann, Mode::parallel}));
+  const std::vector<ModeSet> sets = all_mode_sets();
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t k = 0; k < sets.size(); ++k) EXPECT_EQ(sets[i] == sets[k], i == k);
 }
 
 TEST(ModeSet, IsAllPlannedModesUnlessToldOtherwise)

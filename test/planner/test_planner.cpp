@@ -40,7 +40,7 @@ struct PlannerTest : testing::Test
       const CollisionChecker checker(world.obstacles, robot);
       PlanRequest request = {free_pose(random, checker), free_pose(random, checker), modes};
       request.frontend_only = k % 2 == 1;
-      if (!modes.ackermann && !modes.lateral)
+      if (!modes.contains(Mode::ackermann) && !modes.contains(Mode::lateral))
       {
         const Pose turned = {request.goal.x, request.goal.y, request.start.theta};
         if (!checker.is_free(turned)) continue;
@@ -133,7 +133,7 @@ TEST_F(PlannerTest, PlansAcrossAHall)
 {
   for (const ModeSet& modes : all_mode_sets())
   {
-    if (!modes.ackermann && !modes.lateral) continue;
+    if (!modes.contains(Mode::ackermann) && !modes.contains(Mode::lateral)) continue;
     for (bool frontend_only : {false, true})
     {
       const PlanResult result = plan_in_hall(here, there, modes, {}, frontend_only);
@@ -147,7 +147,7 @@ TEST_F(PlannerTest, CountsFullTurnsOfStartAndGoalForNothing)
   const Pose turned = {there.x, there.y, there.theta + 4.0 * M_PI};
   EXPECT_EQ(plan_in_hall(here, turned).status, PlanStatus::succeeded);
   EXPECT_EQ(plan_in_hall(turned, here).status, PlanStatus::succeeded);
-  const PlanResult parallel = plan_in_hall({2.0, 3.0, 0.3}, {6.0, 3.0, 0.3 - 2.0 * M_PI}, {false, false, true});
+  const PlanResult parallel = plan_in_hall({2.0, 3.0, 0.3}, {6.0, 3.0, 0.3 - 2.0 * M_PI}, {Mode::parallel});
   EXPECT_EQ(parallel.status, PlanStatus::succeeded) << parallel.message;
 }
 
@@ -297,7 +297,7 @@ TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
   options.optimize.formulation = Formulation::paper;
   options.search.steering_penalty = 0.0;
   const World world(free_area(8.0, 6.0, 0.1), robot, options);
-  const PlanResult bent = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.5}, ModeSet{true, false, false}});
+  const PlanResult bent = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.5}, ModeSet{Mode::ackermann}});
   EXPECT_EQ(bent.status, PlanStatus::verification_failed) << bent.message;
   EXPECT_NE(bent.message.find("rolled-out"), std::string::npos) << bent.message;
   EXPECT_TRUE(bent.trajectory.empty());

@@ -5,7 +5,7 @@ namespace fourwis
 namespace
 {
 
-const ModeSet kAckermann{true, false, false}, kLateral{false, true, false};
+const ModeSet kAckermann{Mode::ackermann}, kLateral{Mode::lateral};
 
 /// Something breaks on the way.
 class Faults : public DriveFixture

@@ -50,13 +50,13 @@ protected:
 
 TEST_F(Restart, mid_drive_nothing_moves_until_there_is_a_new_trajectory)
 {
-  wait_for_motion(send(plan({18, 10, 0}, {true, false, false})));
+  wait_for_motion(send(plan({18, 10, 0}, {Mode::ackermann})));
   expect_no_motion_until_a_new_trajectory();
 }
 
 TEST_F(Restart, nor_where_the_robot_is_still_at_the_beginning_of_the_old_one)
 {
-  ASSERT_TRUE(wait_for_state(Tracking::ALIGNING, send(plan({10, 14, 0}, {false, true, false}))));
+  ASSERT_TRUE(wait_for_state(Tracking::ALIGNING, send(plan({10, 14, 0}, {Mode::lateral}))));
   expect_no_motion_until_a_new_trajectory();
 }
 

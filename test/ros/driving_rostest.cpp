@@ -67,15 +67,15 @@ TEST_P(EveryMode, reaches_the_goal)
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, EveryMode,
-                         testing::Values(Way{"ackermann", {true, false, false}, {13, 11, 0.6}},
-                                         Way{"lateral", {false, true, false}, {10.5, 13, 0.3}},
-                                         Way{"parallel", {false, false, true}, {12, 12, 0}},
+                         testing::Values(Way{"ackermann", {Mode::ackermann}, {13, 11, 0.6}},
+                                         Way{"lateral", {Mode::lateral}, {10.5, 13, 0.3}},
+                                         Way{"parallel", {Mode::parallel}, {12, 12, 0}},
                                          Way{"any", {}, {12, 13, M_PI / 2}}),
                          [](const auto& info) { return info.param.name; });
 
 TEST_F(Driving, an_empty_trajectory_stops_it_and_the_wheels_keep_their_angles)
 {
-  wait_for_motion(send(plan({16, 12, 0.5}, {true, false, false})));
+  wait_for_motion(send(plan({16, 12, 0.5}, {Mode::ackermann})));
   const auto before = wheel_states_.messages().back();
   const ros::Time end = stop();
   ASSERT_TRUE(wait_for_state(Tracking::IDLE, end));
@@ -93,7 +93,7 @@ TEST_F(Driving, the_commands_are_told_as_a_twist_and_the_prediction_is_a_path)
   Inbox<geometry_msgs::Twist> twists("cmd_vel");
   Inbox<nav_msgs::Path> paths("mpc_controller/predicted_path");
   ASSERT_TRUE(wait_until([&] { return twists.connected() && paths.connected(); }));
-  send(plan({10, 14, 0}, {false, true, false}));
+  send(plan({10, 14, 0}, {Mode::lateral}));
   const auto twist = twists.wait_for([](const geometry_msgs::Twist& t) { return t.linear.y > 0.5; });
   ASSERT_TRUE(twist);
   EXPECT_EQ(twist->linear.x, 0.0);
@@ -106,7 +106,7 @@ TEST_F(Driving, the_commands_are_told_as_a_twist_and_the_prediction_is_a_path)
 TEST_F(Driving, diagnostics_tell_of_it)
 {
   Inbox<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
-  send(plan({14, 10, 0}, {true, false, false}));
+  send(plan({14, 10, 0}, {Mode::ackermann}));
   const auto array = diagnostics.wait_for([](const diagnostic_msgs::DiagnosticArray& a) {
     return a.status.size() == 1 && a.status[0].message == "driving";
   });
@@ -120,7 +120,7 @@ TEST_F(Driving, diagnostics_tell_of_it)
 TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_on)
 {
   const Pose goal{16, 10, 0};
-  const Trajectory trajectory = plan(goal, {true, false, false});
+  const Trajectory trajectory = plan(goal, {Mode::ackermann});
   const ros::Time drive = send(trajectory);
   wait_for_motion(drive);
   std_msgs::Header header;

@@ -210,10 +210,8 @@ TEST(Conversions, an_update_that_does_not_fit_is_refused_and_changes_nothing)
 
 TEST(Conversions, modes_are_those_named_and_all_when_none_is)
 {
-  const ModeSet all = to_modes({});
-  EXPECT_TRUE(all.ackermann && all.lateral && all.parallel);
-  const ModeSet one = to_modes({"lateral"});
-  EXPECT_TRUE(!one.ackermann && one.lateral && !one.parallel);
+  EXPECT_TRUE(to_modes({}) == (ModeSet{Mode::ackermann, Mode::lateral, Mode::parallel}));
+  EXPECT_TRUE(to_modes({"lateral"}) == ModeSet{Mode::lateral});
   for (const char* bad : {"sideways", "spin", "none", "", "Lateral"})
   {
     const std::string text = error_of<ConversionError>([bad] { to_modes({"lateral", bad}); });

@@ -41,7 +41,7 @@ TEST(NodeParameters, the_shipped_files_are_the_defaults_of_the_node)
   EXPECT_EQ(options.robot_base_frame, defaults.robot_base_frame);
   EXPECT_EQ(options.transform_tolerance, defaults.transform_tolerance);
   EXPECT_EQ(options.start_from, defaults.start_from);
-  EXPECT_TRUE(options.modes.ackermann && options.modes.lateral && options.modes.parallel);
+  EXPECT_TRUE(options.modes == (ModeSet{Mode::ackermann, Mode::lateral, Mode::parallel}));
   EXPECT_EQ(options.wait_for_controller, defaults.wait_for_controller);
   EXPECT_EQ(options.controller_patience, defaults.controller_patience);
   EXPECT_EQ(options.replan_attempts, defaults.replan_attempts);
@@ -75,7 +75,7 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.node.robot_base_frame, "base_footprint");
   EXPECT_EQ(read.node.transform_tolerance, 1.5);
   EXPECT_EQ(read.node.start_from, StartFrom::initial_pose);
-  EXPECT_TRUE(read.node.modes.ackermann && !read.node.modes.lateral && read.node.modes.parallel);
+  EXPECT_TRUE(read.node.modes == (ModeSet{Mode::ackermann, Mode::parallel}));
   EXPECT_TRUE(read.node.wait_for_controller);
   EXPECT_EQ(read.node.controller_patience, 3.0);
   EXPECT_EQ(read.node.replan_attempts, 5);

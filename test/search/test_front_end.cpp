@@ -33,7 +33,7 @@ struct FrontEnd : testing::Test
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", request " + std::to_string(k) + ", " + text(modes));
       const Site site(clutter(random, 7.0, k % 2 ? 0.05 : 0.1, 8, random.pose(5.0)));
       PlanRequest request = {free_pose(random, site.checker), free_pose(random, site.checker), modes};
-      if (!modes.ackermann && !modes.lateral)
+      if (!modes.contains(Mode::ackermann) && !modes.contains(Mode::lateral))
       {
         do request.goal = free_pose(random, site.checker);
         while (!site.checker.is_free(Pose{request.goal.x, request.goal.y, request.start.theta}));
@@ -84,7 +84,7 @@ TEST_F(FrontEnd, FindsAPathInTheOpenAtOnceUnlessParallelMotionHasToTurn)
       const Pose offset = {random.between(-2.0, 2.0), random.between(-2.0, 2.0), 0.0};
       PlanRequest request = {{7.0, 7.0, random.angle()}, {}, modes};
       request.goal = compose(request.start, offset);
-      if (modes.ackermann || modes.lateral) request.goal.theta = random.angle();
+      if (modes.contains(Mode::ackermann) || modes.contains(Mode::lateral)) request.goal.theta = random.angle();
       const SearchResult result = find(site, request);
       ASSERT_EQ(result.status, PlanStatus::succeeded) << text(modes) << " to " << text(request.goal);
       EXPECT_LE(result.expansions, 2) << text(modes) << " to " << text(request.goal);
@@ -135,7 +135,7 @@ struct LongSearch : FrontEnd
   }
 
   const Site site{hall()};
-  const PlanRequest request = {{1.5, 2.0, 0.0}, {4.0, 5.0, 0.0}, {true, false, false}};
+  const PlanRequest request = {{1.5, 2.0, 0.0}, {4.0, 5.0, 0.0}, {Mode::ackermann}};
 };
 
 TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
@@ -213,7 +213,7 @@ TEST_F(FrontEnd, ProvesThatAGoalIsBehindADoorThatLacksCentimetresWhereTheQuickSe
 TEST_F(FrontEnd, RefusesToTurnTheRobotByParallelMotionAlone)
 {
   const Site site(free_area(9.0, 9.0, 0.1));
-  const SearchResult result = find(site, {{3.0, 3.0, 0.0}, {6.0, 6.0, 1.0}, {false, false, true}});
+  const SearchResult result = find(site, {{3.0, 3.0, 0.0}, {6.0, 6.0, 1.0}, {Mode::parallel}});
   EXPECT_TRUE(result.status == PlanStatus::goal_unreachable || result.status == PlanStatus::no_path);
 }
 
@@ -227,14 +227,14 @@ TEST_F(FrontEnd, SlidesSidewaysIntoASlotThatACarCanHardlyEnter)
   const SearchResult found = find(site, request);
   ASSERT_EQ(found.status, PlanStatus::succeeded);
   expect_valid(site, request, found.path);
-  const SearchResult car = find(site, {request.start, request.goal, {true, false, false}});
+  const SearchResult car = find(site, {request.start, request.goal, {Mode::ackermann}});
   EXPECT_TRUE(car.status != PlanStatus::succeeded || car.path.cost > 2.0 * found.path.cost) << text(car.path);
 }
 
 TEST_F(FrontEnd, TurnsACarBetweenWallsThatLeaveItAFewCentimetres)
 {
   const Site site(free_area(8.0, 1.45, 0.05));  // the two discs of a robot across take 1.34 m
-  const PlanRequest request = {{4.0, 0.725, M_PI_2}, {1.5, 0.725, 0.0}, {true, false, false}};
+  const PlanRequest request = {{4.0, 0.725, M_PI_2}, {1.5, 0.725, 0.0}, {Mode::ackermann}};
   options.max_expansions = 20000;
   const SearchResult found = find(site, request);
   ASSERT_EQ(found.status, PlanStatus::succeeded);

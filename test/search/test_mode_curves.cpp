@@ -71,7 +71,7 @@ struct Curves : testing::Test
   const Robot robot;
   const SearchOptions options;
   const MotionCost cost{robot, options};
-  const ModeSet only_parallel = {false, false, true}, all_modes;
+  const ModeSet only_parallel = {Mode::parallel}, all_modes;
 };
 
 TEST_F(Curves, AllEndAtTheGoal)
@@ -168,7 +168,7 @@ TEST_F(Curves, ExistUnlessOnlyParallelMotionIsLeftToTurnTheRobot)
 {
   for_problems([](const Problem& problem, const ModeCurves&, const std::vector<ModeCurve>& found) {
     if (problem.budget < kInfinity) return;
-    const bool turns = problem.modes.ackermann || problem.modes.lateral;
+    const bool turns = problem.modes.contains(Mode::ackermann) || problem.modes.contains(Mode::lateral);
     ASSERT_EQ(found.empty(), !turns && heading_gap(problem.from.theta, problem.goal.theta) > 1e-3);
   });
 }
@@ -212,7 +212,7 @@ TEST_F(Curves, OfLateralMotionAreThoseOfAckermannMotionOfTheRobotTurnedByARightA
   fair.lateral_reverse_penalty = fair.reverse_penalty;
   const Robot sideways = turned(robot);
   const MotionCost lateral_cost(robot, fair), ackermann_cost(sideways, fair);
-  const ModeSet only_lateral = {false, true, false}, only_ackermann = {true, false, false};
+  const ModeSet only_lateral = {Mode::lateral}, only_ackermann = {Mode::ackermann};
   const ModeCurves lateral(robot, fair, lateral_cost, only_lateral);
   const ModeCurves ackermann(sideways, fair, ackermann_cost, only_ackermann);
   Random random(kSeed);

@@ -51,11 +51,17 @@ inline double heading_gap(double a, double b)
   return std::abs(wrap_angle(a - b));
 }
 
-/// The seven sets of modes that are not empty.
+/// The sets of modes that are not empty.
 inline std::vector<ModeSet> all_mode_sets()
 {
   std::vector<ModeSet> sets;
-  for (int bits = 1; bits < 8; ++bits) sets.push_back({(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0});
+  for (unsigned bits = 1; bits < 1u << kPlannedModes.size(); ++bits)
+  {
+    ModeSet modes = ModeSet::none();
+    for (std::size_t k = 0; k < kPlannedModes.size(); ++k)
+      if (bits >> k & 1) modes.insert(kPlannedModes[k]);
+    sets.push_back(modes);
+  }
   return sets;
 }
 

@@ -20,16 +20,22 @@ Twist body_twist(const Robot& robot, Mode mode, double v, double phi);
 /// Distance of the steering axes from C [m]: in spin omega = v / spin_radius.
 double spin_radius(const Robot& robot);
 
-/// d theta / d s of a mode at equivalent steering angle phi [1/m]: 2 tan(phi)/L, 2 tan(phi)/W, 0.
+/// omega / v of a mode at equivalent steering angle phi [1/m]: 2 tan(phi)/L, 2 tan(phi)/W, 0, in spin 1/spin_radius.
 double curvature(const Robot& robot, Mode mode, double phi);
+
+/// d curvature / d phi [1/m].
+double curvature_slope(const Robot& robot, Mode mode, double phi);
 
 /// Greatest curvature of a mode [1/m], first two rows of paper eq. (14); 0 in parallel mode.
 double max_curvature(const Robot& robot, Mode mode);
 
-/// Direction in which C moves for v > 0, relative to the heading [rad]: 0, pi/2, phi.
+/// Distance of C from the point about which the body turns [m]: infinite in a straight motion, 0 where C does not move.
+double turning_radius(const Robot& robot, Mode mode, double phi);
+
+/// Direction in which C moves for v > 0, relative to the heading [rad]: 0, pi/2, phi. 0 where C does not move.
 double course(Mode mode, double phi);
 
-/// The curve C follows while phi is held: a circular arc or a straight line.
+/// The curve C follows while phi is held: a circular arc or a straight line, in spin a point.
 class Arc
 {
 public:
@@ -41,7 +47,7 @@ public:
     double x, y, cosine, sine;
   };
 
-  /// Where the robot is at signed arc length s [m].
+  /// Where the robot is at signed arc length s [m], in spin that of the wheels.
   Placement at(double s) const;
 
   /// The same as a pose; theta is not wrapped.
@@ -53,7 +59,7 @@ private:
   Pose start_;
   double kappa_;
   double cos_, sin_;                ///< of the heading at the start
-  double cos_course_, sin_course_;  ///< of the direction of travel at the start
+  double cos_course_, sin_course_;  ///< of the direction of travel at the start; 0 where C does not move
 };
 
 /// Where the robot is after driving the signed arc length s [m] from `start` with phi held: the exact arc. theta is not

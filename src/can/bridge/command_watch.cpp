@@ -35,7 +35,7 @@ void CommandWatch::forget()
 
 bool CommandWatch::is_valid(const WheelCommand& command) const
 {
-  if (command.mode > Mode::spin) return false;
+  if (!is_mode(command.mode)) return false;
   if (command.mode == Mode::none) return true;
   for (int i = 0; i < kWheels; ++i)
   {

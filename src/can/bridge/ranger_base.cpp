@@ -17,7 +17,7 @@ constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
 constexpr double kCommandPeriod = 0.015;
 /// It stands when all wheels are slower [m/s].
 constexpr double kStands = 0.01;
-/// In parallel mode the base steers so far to either side [rad].
+/// In its parallel mode the base steers so far to either side [rad].
 constexpr double kParallelTravel = M_PI / 2.0 + 1e-3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// Where the vehicle's state is a failure, and the identifiers of who else might command it.
@@ -167,7 +167,8 @@ RangerMotion RangerBase::motion_of(const DriveDemand& demand, double now) const
 {
   const bool held = told_ && (!follows_ || moves(*told_) || rolls());
   const RangerMotion motion = kinematics_.base_motion(demand.mode, demand.motion, held ? told_->steering : 0.0);
-  const bool too_far = demand.mode == Mode::parallel && std::abs(motion.steering) > kParallelTravel;
+  const bool too_far =
+      kinematics_.base_mode(demand.mode) == RangerMode::parallel && std::abs(motion.steering) > kParallelTravel;
   if (too_far && follows_) report_(Fault::unsupported_motion, static_cast<std::uint32_t>(demand.mode), now);
   if (too_far) return standing(std::copysign(kParallelTravel, motion.steering));
   return follows_ && !is_turning(demand.mode) ? motion : standing(motion.steering);

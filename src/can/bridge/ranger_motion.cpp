@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis::can
@@ -12,61 +13,72 @@ namespace
 /// Side-slip is exact when the wheels' common steering angle is less than this [rad].
 constexpr double kNoSteering = 0.01;
 
+struct Counterpart
+{
+  Mode mode;
+  RangerMode base;
+};
+
+/// The base's modes and ours.
+constexpr Counterpart kCounterparts[] = {
+    {Mode::none, RangerMode::park},         {Mode::ackermann, RangerMode::dual_ackermann},
+    {Mode::lateral, RangerMode::side_slip}, {Mode::parallel, RangerMode::parallel},
+    {Mode::spin, RangerMode::spin},
+};
+static_assert(has_a_row_for_each_mode(kCounterparts));
+
+RangerMode counterpart(Mode mode)
+{
+  return kCounterparts[index_of(mode)].base;
+}
+
 }  // namespace
 
 const char* RangerKinematics::refusal(const WheelCommand& command) const
 {
-  if (command.mode != Mode::lateral) return nullptr;
-  const double phi = mode_motion(robot_, Mode::lateral, command.motion).phi;
+  if (counterpart(command.mode) != RangerMode::side_slip) return nullptr;
+  const double phi = mode_motion(robot_, command.mode, command.motion).phi;
   return std::abs(phi) > kNoSteering ? "lateral motion with steering: this base knows side-slip only" : nullptr;
 }
 
 RangerMode RangerKinematics::base_mode(Mode mode) const
 {
-  switch (mode)
-  {
-    case Mode::none: break;
-    case Mode::ackermann: return RangerMode::dual_ackermann;
-    case Mode::lateral: return static_cast<RangerMode>(options_.side_slip_mode);
-    case Mode::parallel: return RangerMode::parallel;
-    case Mode::spin: return RangerMode::spin;
-  }
-  return RangerMode::park;
+  const RangerMode base = counterpart(mode);
+  return base == RangerMode::side_slip ? static_cast<RangerMode>(options_.side_slip_mode) : base;
 }
 
 RangerMotion RangerKinematics::base_motion(Mode mode, const WheelMotion& wheels, double near_steering) const
 {
   const ModeMotion motion = mode_motion(robot_, mode, wheels, near_steering);
   RangerMotion base;
-  switch (mode)
+  switch (counterpart(mode))
   {
-    case Mode::none: break;
-    case Mode::ackermann: return ackermann(wheels);
-    case Mode::lateral: base.lateral = motion.v; break;
-    case Mode::parallel:
+    case RangerMode::park: break;
+    case RangerMode::dual_ackermann:
+      base.speed = motion.v;
+      base.steering = inner_angle(mode, motion.phi);
+      break;
+    case RangerMode::side_slip: base.lateral = motion.v; break;
+    case RangerMode::parallel:
       base.speed = motion.v;
       base.steering = motion.phi;
       break;
-    case Mode::spin:
+    case RangerMode::spin:
       if (options_.spin_by_speed)
         base.lateral = motion.v;
       else
-        base.yaw = motion.v / (std::hypot(robot_.wheelbase, robot_.track_width) / 2.0);
+        base.yaw = motion.v / spin_radius(robot_);
       break;
   }
   return base;
 }
 
-/// The steering angle is that of the inner wheel, of the larger of both in front.
-RangerMotion RangerKinematics::ackermann(const WheelMotion& wheels) const
+/// Of the inner wheel in front, which turns farther than the other.
+double RangerKinematics::inner_angle(Mode mode, double phi) const
 {
-  const ModeMotion motion = mode_motion(robot_, Mode::ackermann, wheels);
-  const WheelMotion forward = wheel_motion(robot_, Mode::ackermann, 1.0, motion.phi);
+  const WheelMotion forward = wheel_motion(robot_, mode, 1.0, phi);
   const double left = forward.angle[0], right = forward.angle[1];
-  RangerMotion base;
-  base.speed = motion.v;
-  base.steering = std::abs(left) > std::abs(right) ? left : right;
-  return base;
+  return std::abs(left) > std::abs(right) ? left : right;
 }
 
 WheelMotion RangerKinematics::measured(const PerWheel& angles, const PerWheel& speeds, const PerWheel& told) const

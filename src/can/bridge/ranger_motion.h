@@ -26,7 +26,7 @@ public:
   WheelMotion measured(const PerWheel& angles, const PerWheel& speeds, const PerWheel& told) const;
 
 private:
-  RangerMotion ackermann(const WheelMotion& wheels) const;
+  double inner_angle(Mode mode, double phi) const;
 
   Robot robot_;
   RangerOptions options_;
