@@ -56,7 +56,7 @@ class Entries
 public:
   Entries(std::ostream& out, double y) : out_(out), y_(y) {}
 
-  void line(const char* colour, const std::string& label)
+  void line(const std::string& colour, const std::string& label)
   {
     out_ << "<path d=\"M" << pixels(x_) << ',' << pixels(y_) << "h26\" stroke=\"" << colour
          << "\" stroke-width=\"4\" stroke-linecap=\"round\"/>\n";
@@ -133,7 +133,7 @@ void write_legend(std::ostream& out, const Page& page, const PlanPicture& pictur
   write_scale_bar(out, page, first);
 
   Entries entries(out, second);
-  for (const Mode mode : kPlannedModes) entries.line(colour_of(mode), to_string(mode));
+  for (const Mode mode : kPlannedModes) entries.line(svg_colour(mode), to_string(mode));
   entries.ring("mode switch");
   entries.arrow(kStartColour, "start");
   entries.arrow(kGoalColour, "goal");

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "cell_rectangles.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
+#include "fourwis_navigation/model/mode_colour.h"
 #include "legend.h"
 #include "motion_samples.h"
 #include "page.h"
@@ -119,7 +121,8 @@ void write_footprints(std::ostream& out, const Page& page, const Robot& robot, c
   out << "<path class=\"footprints " << to_string(run.mode) << "\" d=\"";
   for (const Pose& pose : thin_out(run.poses, kFootprintSpacing * robot.length, kFootprintTurn))
     out << polyline(page, body_corners(robot, pose), true);
-  out << "\" fill=\"" << colour_of(run.mode) << "\" fill-opacity=\"0.10\" stroke=\"" << colour_of(run.mode)
+  const std::string colour = svg_colour(run.mode);
+  out << "\" fill=\"" << colour << "\" fill-opacity=\"0.10\" stroke=\"" << colour
       << "\" stroke-opacity=\"0.55\" stroke-width=\"0.8\"/>\n";
 }
 
@@ -128,7 +131,7 @@ void write_centre_line(std::ostream& out, const Page& page, const ModeRun& run)
   std::vector<Point> points;
   for (const Pose& pose : run.poses) points.push_back({pose.x, pose.y});
   out << "<path class=\"centre " << to_string(run.mode) << "\" d=\"" << polyline(page, points, false)
-      << "\" fill=\"none\" stroke=\"" << colour_of(run.mode)
+      << "\" fill=\"none\" stroke=\"" << svg_colour(run.mode)
       << "\" stroke-width=\"3\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n";
 }
 
@@ -166,15 +169,12 @@ void write_plan(std::ostream& out, const Page& page, const PlanPicture& picture,
 
 }  // namespace
 
-const char* colour_of(Mode mode)
+std::string svg_colour(Mode mode)
 {
-  switch (mode)
-  {
-    case Mode::ackermann: return "#1f6fd1";
-    case Mode::lateral: return "#f08a1d";
-    case Mode::parallel: return "#2a9d4a";
-    default: return "#7a7f87";
-  }
+  const Colour& colour = colour_of(mode);
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  return text;
 }
 
 void write_svg(std::ostream& out, const PlanPicture& picture)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "fourwis_navigation/model/corridor.h"
@@ -14,8 +15,8 @@
 namespace fourwis
 {
 
-/// The colour a mode has in pictures, as #rrggbb.
-const char* colour_of(Mode mode);
+/// A mode's colour as #rrggbb.
+std::string svg_colour(Mode mode);
 
 /// What a picture of a plan shows. References must outlive the call they are passed to.
 struct PlanPicture

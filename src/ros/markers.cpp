@@ -5,6 +5,7 @@
 
 #include "conversions.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
+#include "fourwis_navigation/model/mode_colour.h"
 
 namespace fourwis
 {
@@ -32,13 +33,9 @@ std_msgs::ColorRGBA colour(float r, float g, float b, float a)
 
 std_msgs::ColorRGBA colour_of(Mode mode, float alpha)
 {
-  switch (mode)
-  {
-    case Mode::ackermann: return colour(0.12f, 0.44f, 0.82f, alpha);
-    case Mode::lateral: return colour(0.94f, 0.54f, 0.11f, alpha);
-    case Mode::parallel: return colour(0.16f, 0.62f, 0.29f, alpha);
-    default: return colour(0.5f, 0.5f, 0.5f, alpha);
-  }
+  const Colour& parts = colour_of(mode);
+  const auto share = [](std::uint8_t part) { return static_cast<float>(part) / 255.0f; };
+  return colour(share(parts.red), share(parts.green), share(parts.blue), alpha);
 }
 
 constexpr double kTextSize = 0.4;

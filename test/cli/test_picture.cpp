@@ -197,7 +197,7 @@ TEST(Picture, OfAPlanShowsEveryModeInItsColourAndEverySwitch)
     EXPECT_EQ(count(svg, std::string("class=\"centre ") + to_string(mode)), 1u);
     EXPECT_EQ(count(svg, std::string("class=\"footprints ") + to_string(mode)), 1u);
     // Footprint outline and fill, centre line, legend.
-    EXPECT_EQ(count(svg, colour_of(mode)), 4u) << to_string(mode);
+    EXPECT_EQ(count(svg, svg_colour(mode)), 4u) << to_string(mode);
   }
   EXPECT_EQ(count(svg, "class=\"switch\""), 2u);
   EXPECT_EQ(count(svg, "class=\"start\""), 1u);
@@ -207,9 +207,10 @@ TEST(Picture, OfAPlanShowsEveryModeInItsColourAndEverySwitch)
 
 TEST(Picture, ModesHaveDifferentColours)
 {
-  EXPECT_STRNE(colour_of(Mode::ackermann), colour_of(Mode::lateral));
-  EXPECT_STRNE(colour_of(Mode::ackermann), colour_of(Mode::parallel));
-  EXPECT_STRNE(colour_of(Mode::lateral), colour_of(Mode::parallel));
+  EXPECT_NE(svg_colour(Mode::ackermann), svg_colour(Mode::lateral));
+  EXPECT_NE(svg_colour(Mode::ackermann), svg_colour(Mode::parallel));
+  EXPECT_NE(svg_colour(Mode::lateral), svg_colour(Mode::parallel));
+  EXPECT_EQ(svg_colour(Mode::ackermann), "#1f6fd1");
 }
 
 TEST(Picture, WithoutATrajectoryShowsTheQuestionAndSaysWhy)
