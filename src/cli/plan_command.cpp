@@ -83,7 +83,7 @@ double median(std::vector<double> values)
 /// Plans `repeat` times from grid to verdict; the times of the answer are medians.
 Answer plan_repeatedly(const Problem& problem, int repeat, bool traced)
 {
-  const Planner planner(problem.robot, problem.options);
+  const Planner planner(problem.options);
   Answer answer;
   PlanResult& result = answer.result;
   std::vector<PlanMetrics> runs;

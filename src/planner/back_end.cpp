@@ -8,12 +8,29 @@
 #include "fourwis_navigation/optimize/simpson.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "fourwis_navigation/vehicle/wheels.h"
-#include "in_parallel.h"
-#include "segment_refiner.h"
 #include "stop_and_steer.h"
 
 namespace fourwis
 {
+
+/// A path between two switches.
+struct PathPart
+{
+  Path path;  ///< its pieces
+  std::vector<Segment>
+      references;  ///< at the wanted spacing, at half of it, ...; none where there is nothing to optimise
+
+  /// Driven with the wheels held still: accelerating, cruising and braking on it cannot be improved upon. At full lock
+  /// there is not even any other motion between its ends.
+  bool is_one_stretch() const
+  {
+    const PathPiece& first = path.pieces.front();
+    return std::all_of(path.pieces.begin(), path.pieces.end(), [&](const PathPiece& piece) {
+      return piece.phi == first.phi && std::signbit(piece.length) == std::signbit(first.length);
+    });
+  }
+};
+
 namespace
 {
 
@@ -24,26 +41,22 @@ constexpr double kLeastInterval = 1e-3;
 /// So often the knots' spacing is halved.
 constexpr int kHalvings = 2;
 
-/// The pieces of a path between its switches.
-std::vector<Path> parts_between_switches(const Path& path)
+std::vector<PathPart> split(const Path& path, const Robot& robot, double spacing)
 {
-  std::vector<Path> parts;
+  std::vector<PathPart> parts;
   for (const PathPiece& piece : path.pieces)
   {
-    if (parts.empty() || parts.back().pieces.back().mode != piece.mode) parts.emplace_back();
-    parts.back().pieces.push_back(piece);
+    if (parts.empty() || parts.back().path.pieces.back().mode != piece.mode) parts.emplace_back();
+    parts.back().path.pieces.push_back(piece);
+  }
+  for (int halving = 0; halving <= kHalvings; ++halving)
+  {
+    std::vector<Segment> segments = split_at_switches(path, robot, spacing / (1 << halving));
+    if (segments.size() != parts.size()) break;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (!parts[i].is_one_stretch()) parts[i].references.push_back(std::move(segments[i]));
   }
   return parts;
-}
-
-/// One stretch with the wheels held still: accelerating, cruising and braking on it cannot be improved upon. At full lock
-/// there is not even any other motion between its ends.
-bool is_one_stretch(const Path& part)
-{
-  const PathPiece& first = part.pieces.front();
-  return std::all_of(part.pieces.begin(), part.pieces.end(), [&](const PathPiece& piece) {
-    return piece.phi == first.phi && std::signbit(piece.length) == std::signbit(first.length);
-  });
 }
 
 /// The same motion with a point of its own wherever the robot turns back between two.
@@ -83,79 +96,69 @@ void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
   }
 }
 
-/// Optimises the i-th segment, at smaller and smaller spacing where that is the trouble.
-void refine_part(const SegmentRefiner& refiner, const Robot& robot, const std::vector<std::vector<Segment>>& segments,
-                 std::size_t i, RefinedPart& part)
-{
-  RefinedSegment refined;
-  for (const std::vector<Segment>& spaced : segments)
-  {
-    refined = refiner.refine(spaced[i]);
-    part.solver_iterations += refined.solver_iterations;
-    std::move(refined.rounds.begin(), refined.rounds.end(), std::back_inserter(part.rounds));
-    if (!refined.too_coarse) break;
-  }
-  part.optimized = refined.usable();
-  part.message = refined.solved ? "the exact motion misses the knots" : refined.message;
-  if (part.optimized) part.points = split_at_standstill(robot, part.rounds.back().points);
-}
-
-/// What is said of the parts together.
-void finish(const Robot& robot, const Interrupt& interrupt, Refinement& refinement)
-{
-  refinement.trajectory.clear();
-  refinement.outer_iterations = refinement.solver_iterations = 0;
-  for (const RefinedPart& part : refinement.parts)
-  {
-    append(robot, part.points, refinement.trajectory);
-    refinement.outer_iterations = std::max(refinement.outer_iterations, static_cast<int>(part.rounds.size()));
-    refinement.solver_iterations += part.solver_iterations;
-  }
-  if (interrupt.cancelled()) refinement.trajectory.clear();
-}
-
 }  // namespace
 
-Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                  const OptimizeOptions& options, double reference_speed, const Path& path, const Interrupt& interrupt)
-{
-  const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
-  const std::vector<Path> paths = parts_between_switches(path);
-  std::vector<std::vector<Segment>> segments;  // at the wanted spacing, at half of it, ...
-  for (int halving = 0; halving <= kHalvings; ++halving)
-    segments.push_back(split_at_switches(path, robot, options.spacing / (1 << halving)));
+BackEnd::BackEnd(const PlanContext& context) : context_(context), refiner_(context) {}
 
-  Refinement result;
-  result.parts.resize(paths.size());
-  in_parallel(paths.size(), [&](std::size_t i) {
-    if (segments.front().size() == paths.size() && !is_one_stretch(paths[i]))
-      refine_part(refiner, robot, segments, i, result.parts[i]);
-    if (!result.parts[i].optimized) result.parts[i].points = stop_and_steer(paths[i], robot, reference_speed);
-  });
-  for (std::size_t i = 0; i < paths.size(); ++i)
+Refinement BackEnd::refine(const Path& path) const
+{
+  const std::vector<PathPart> parts = split(path, context_.robot(), context_.options.optimize.spacing);
+  std::vector<RefinedPart> refined(parts.size());
+  context_.threads.for_each(parts.size(), [&](std::size_t i) { refined[i] = refine(parts[i]); });
+  return assemble(std::move(refined));
+}
+
+void BackEnd::polish(Refinement& refinement) const
+{
+  std::vector<RefinedPart> parts = refinement.parts;
+  context_.threads.for_each(parts.size(), [&](std::size_t i) { polish(parts[i]); });
+  Refinement polished = assemble(std::move(parts));
+  // Wheels that end elsewhere may take longer to turn at the switch.
+  const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
+  if (!later(polished.trajectory, refinement.trajectory)) refinement = std::move(polished);
+}
+
+/// Optimises a part, with the knots closer and closer together where that is the trouble.
+RefinedPart BackEnd::refine(const PathPart& part) const
+{
+  RefinedPart result;
+  RefinedSegment refined;
+  for (const Segment& reference : part.references)
   {
-    if (result.parts[i].optimized || is_one_stretch(paths[i])) continue;
-    ++result.fallbacks;
-    result.message = result.parts[i].message;
+    refined = refiner_.refine(reference);
+    result.solver_iterations += refined.solver_iterations;
+    std::move(refined.rounds.begin(), refined.rounds.end(), std::back_inserter(result.rounds));
+    if (!refined.too_coarse) break;
   }
-  finish(robot, interrupt, result);
+  result.optimized = refined.usable();
+  result.failed = !result.optimized && !part.is_one_stretch();
+  if (result.failed) result.message = refined.solved ? "the exact motion misses the knots" : refined.message;
+  result.points = result.optimized ? split_at_standstill(context_.robot(), result.rounds.back().points)
+                                   : stop_and_steer(part.path, context_.robot(), context_.reference_speed());
   return result;
 }
 
-void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-            const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement)
+void BackEnd::polish(RefinedPart& part) const
 {
-  const SegmentRefiner refiner(checker, obstacles, robot, options, reference_speed, interrupt);
-  Refinement before = refinement;
-  in_parallel(refinement.parts.size(), [&](std::size_t i) {
-    RefinedPart& part = refinement.parts[i];
-    if (!part.optimized || !refiner.polish(part.rounds, part.solver_iterations)) return;
-    part.points = split_at_standstill(robot, part.rounds.back().points);
-  });
-  finish(robot, interrupt, refinement);
-  // Wheels that end elsewhere may take longer to turn at the switch.
-  const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
-  if (later(refinement.trajectory, before.trajectory)) refinement = std::move(before);
+  if (!part.optimized || !refiner_.polish(part.rounds, part.solver_iterations)) return;
+  part.points = split_at_standstill(context_.robot(), part.rounds.back().points);
+}
+
+/// Joins the parts and counts over them.
+Refinement BackEnd::assemble(std::vector<RefinedPart> parts) const
+{
+  Refinement whole;
+  whole.parts = std::move(parts);
+  for (const RefinedPart& part : whole.parts)
+  {
+    append(context_.robot(), part.points, whole.trajectory);
+    whole.outer_iterations = std::max(whole.outer_iterations, static_cast<int>(part.rounds.size()));
+    whole.solver_iterations += part.solver_iterations;
+    whole.fallbacks += part.failed;
+    if (part.failed) whole.message = part.message;
+  }
+  if (context_.interrupt.cancelled()) whole.trajectory.clear();
+  return whole;
 }
 
 }  // namespace fourwis

@@ -3,14 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "fourwis_navigation/corridor/polytope_corridor.h"
-#include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/path.h"
-#include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
-#include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/planner/refinement_round.h"
+#include "plan_context.h"
+#include "segment_refiner.h"
 
 namespace fourwis
 {
@@ -18,8 +15,9 @@ namespace fourwis
 /// What the back end made of a path between two switches.
 struct RefinedPart
 {
-  bool optimized = false;               ///< otherwise stop_and_steer drives it
-  std::string message;                  ///< why it is not optimised, unless there is nothing to optimise
+  bool optimized = false;               ///< otherwise stop_and_steer drives it,
+  bool failed = false;                  ///< because its optimisation failed or there was nothing to optimise
+  std::string message;                  ///< why it failed
   Trajectory points;                    ///< from t = 0
   std::vector<RefinementRound> rounds;  ///< all of them, those that failed included
   int solver_iterations = 0;
@@ -36,16 +34,30 @@ struct Refinement
   std::string message;        ///< why a segment fell back, if one did
 };
 
-/// The paper's section III-B with the regions and the solver described in doc/deviations.md: the path is split at its
-/// switches, each segment goes through corridor <-> optimisation, on threads of their own, and the parts are joined with
-/// stationary switches. Deterministic with any number of threads.
-Refinement refine(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                  const OptimizeOptions& options, double reference_speed, const Path& path, const Interrupt& interrupt);
+struct PathPart;
 
-/// One more round for each optimised segment around its result, with twice the knots and discs that stick out less, so
-/// that the robot can steer faster and cut corners closer. Segments for which that is not certified at once, or arrives
-/// later, stay as they are, and so does all if it does.
-void polish(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-            const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt, Refinement& refinement);
+/// The paper's section III-B with the regions and the solver described in doc/deviations.md, for any paths of one plan.
+/// Deterministic with any number of threads; may be used from several at once.
+class BackEnd
+{
+public:
+  explicit BackEnd(const PlanContext& context);
+
+  /// Splits the path at its switches, optimises each part and joins them with stationary switches.
+  Refinement refine(const Path& path) const;
+
+  /// One more round for each optimised segment around its result, with twice the knots and discs that stick out less, so
+  /// that the robot can steer faster and cut corners closer. Segments for which that is not certified at once, or
+  /// arrives later, stay as they are, and so does all if it does.
+  void polish(Refinement& refinement) const;
+
+private:
+  RefinedPart refine(const PathPart& part) const;
+  void polish(RefinedPart& part) const;
+  Refinement assemble(std::vector<RefinedPart> parts) const;
+
+  const PlanContext context_;
+  const SegmentRefiner refiner_;
+};
 
 }  // namespace fourwis

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "in_parallel.h"
-
 namespace fourwis
 {
 namespace
@@ -33,13 +31,6 @@ bool same_path(const Path& a, const Path& b)
   return std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(), same_piece);
 }
 
-struct Wish
-{
-  ModeSet modes;
-  SearchOptions options;
-  Effort effort;
-};
-
 Candidates collect(const std::vector<SearchResult>& results)
 {
   Candidates candidates;
@@ -57,24 +48,23 @@ Candidates collect(const std::vector<SearchResult>& results)
 
 }  // namespace
 
-Candidates find_one(const FrontEnd& front_end, const SearchOptions& options, const ModeSet& modes,
-                    const Interrupt& interrupt, std::vector<Pose>* expanded)
-{
-  return collect({front_end.find(options, modes, Effort::thorough, interrupt, expanded)});
-}
-
-Candidates find_several(const FrontEnd& front_end, const Robot& robot, const SearchOptions& options,
-                        const ModeSet& modes, const Interrupt& interrupt, std::vector<Pose>* expanded)
+std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes)
 {
   const ModeSet car = {kCarMode};
-  std::vector<Wish> wishes = {{modes, time_costs(robot, options, 0.0), Effort::thorough}};
-  if (modes.contains(kCarMode) && modes != car) wishes.push_back({car, time_costs(robot, options, 0.0), Effort::quick});
-  if (modes.contains(kCarMode)) wishes.push_back({car, time_costs(robot, options, kSoftened), Effort::quick});
+  std::vector<SearchVariant> variants = {{modes, time_costs(robot, options, 0.0), Effort::thorough}};
+  if (modes.contains(kCarMode) && modes != car)
+    variants.push_back({car, time_costs(robot, options, 0.0), Effort::quick});
+  if (modes.contains(kCarMode)) variants.push_back({car, time_costs(robot, options, kSoftened), Effort::quick});
+  return variants;
+}
 
-  std::vector<SearchResult> results(wishes.size());
-  in_parallel(wishes.size(), [&](std::size_t i) {
-    results[i] =
-        front_end.find(wishes[i].options, wishes[i].modes, wishes[i].effort, interrupt, i == 0 ? expanded : nullptr);
+Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, ThreadBudget& threads,
+                           std::vector<Pose>* expanded)
+{
+  std::vector<SearchResult> results(variants.size());
+  threads.for_each(variants.size(), [&](std::size_t i) {
+    const SearchVariant& variant = variants[i];
+    results[i] = search.find(variant.options, variant.modes, variant.effort, i == 0 ? expanded : nullptr);
   });
   return collect(results);
 }

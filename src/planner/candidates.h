@@ -2,14 +2,22 @@
 
 #include <vector>
 
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/plan.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "fourwis_navigation/search/search_options.h"
+#include "thread_budget.h"
 
 namespace fourwis
 {
+
+/// One way to search.
+struct SearchVariant
+{
+  ModeSet modes;
+  SearchOptions options;
+  Effort effort = Effort::thorough;
+};
 
 /// Different ways to the same goal.
 struct Candidates
@@ -19,14 +27,14 @@ struct Candidates
   std::vector<Path> paths;                  ///< no two alike
 };
 
-/// One path after the costs as configured: what the paper's front end finds.
-Candidates find_one(const FrontEnd& front_end, const SearchOptions& options, const ModeSet& modes,
-                    const Interrupt& interrupt, std::vector<Pose>* expanded);
+/// Searches for paths worth optimising. The paper's costs shun steering and reversing, which the optimiser makes nearly
+/// free, and switches are the dearer by comparison; which path is the fastest shows only after the optimisation. So: the
+/// modes asked for and Ackermann motion alone, both after what takes time, and Ackermann motion after softened costs.
+std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
 
-/// Paths worth optimising, searched for at the same time. The paper's costs shun steering and reversing, which the optimiser makes
-/// nearly free, and switches are the dearer by comparison; which path is the fastest shows only after the optimisation. So:
-/// the modes asked for and Ackermann motion alone, both after what takes time, and Ackermann motion after softened costs.
-Candidates find_several(const FrontEnd& front_end, const Robot& robot, const SearchOptions& options,
-                        const ModeSet& modes, const Interrupt& interrupt, std::vector<Pose>* expanded);
+/// What they find, searching at the same time. Poses that the first expands are appended to `expanded` where it is not
+/// null.
+Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, ThreadBudget& threads,
+                           std::vector<Pose>* expanded = nullptr);
 
 }  // namespace fourwis

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "fourwis_navigation/corridor/box_corridor.h"
-#include "fourwis_navigation/corridor/obstacle_rectangles.h"
 #include "fourwis_navigation/model/corridor.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/path.h"
-#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/segment.h"
 #include "fourwis_navigation/model/trajectory.h"
 #include "fourwis_navigation/optimize/paper_optimizer.h"
+#include "fourwis_navigation/vehicle/footprint.h"
+#include "plan_context.h"
 
 namespace fourwis
 {
@@ -48,13 +48,30 @@ struct PaperRefinement
   std::vector<BoxCorridor> corridors;  ///< the last of each segment
 };
 
-/// The paper's section III-B as it stands, for comparison with refine(): the path is split at its switches (22); each
+/// The paper's section III-B as it stands, for comparison with BackEnd: the path is split at its switches (22); each
 /// segment goes through boxes around the current solution <-> the program (26), begun at that solution, until
 /// psi < 1e-6 or for 10 rounds; the parts are joined with t_switch in between (23). The steps are Euler's and boxes
-/// bind the knots only: that the referee accepts the trajectory is not promised. Throws std::invalid_argument naming
-/// the option, or the reference speed, if one is out of range, never on a path.
-PaperRefinement refine_as_in_paper(const ObstacleRectangles& obstacles, const Robot& robot,
-                                   const PaperBackEndOptions& options, double reference_speed, const Path& path,
-                                   const Interrupt& interrupt);
+/// bind the knots only: that the referee accepts the trajectory is not promised.
+class PaperBackEnd
+{
+public:
+  /// Of the context's options only the reference speed counts. Throws std::invalid_argument naming the option, or the
+  /// reference speed, if one is out of range.
+  explicit PaperBackEnd(const PlanContext& context, const PaperBackEndOptions& options = PaperBackEndOptions());
+
+  /// Throws likewise, never on a path.
+  PaperRefinement refine(const Path& path) const;
+
+private:
+  struct Outcome;
+
+  Outcome refine(const Segment& segment) const;
+  void iterate(const Segment& segment, Outcome& outcome) const;
+
+  const PlanContext context_;
+  const PaperBackEndOptions options_;
+  const TwoDiscs discs_;
+  const PaperOptimizer optimizer_;
+};
 
 }  // namespace fourwis

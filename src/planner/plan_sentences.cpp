@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 
 namespace fourwis
 {

@@ -1,6 +1,7 @@
 #include "fourwis_navigation/planner/planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -8,11 +9,9 @@
 
 #include "back_end.h"
 #include "candidates.h"
-#include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/search/front_end.h"
-#include "in_parallel.h"
 #include "judge.h"
 #include "paper_back_end.h"
+#include "plan_context.h"
 #include "plan_sentences.h"
 #include "stop_and_steer.h"
 
@@ -27,15 +26,20 @@ constexpr double kWorthPolishing = 1.01;
 /// What a plan is about.
 struct Task
 {
-  const World& world;
-  const PlannerOptions& options;
+  PlanContext context;
   const PlanRequest& request;
-  const Interrupt& interrupt;
   PlanTrace* trace;
-  CollisionChecker checker;
-
-  double speed() const { return options.search.reference_speed; }
 };
+
+bool is_paper(const PlannerOptions& options)
+{
+  return options.optimize.formulation == Formulation::paper;
+}
+
+bool same_pose(const Pose& a, const Pose& b)
+{
+  return distance(a, b) < 1e-6 && std::abs(wrap_angle(a.theta - b.theta)) < 1e-6;
+}
 
 Trajectory stay_at(const Pose& pose, const ModeSet& modes)
 {
@@ -47,35 +51,30 @@ Trajectory stay_at(const Pose& pose, const ModeSet& modes)
   return {point};
 }
 
-bool same_pose(const Pose& a, const Pose& b)
+/// The one variant that finds the paper's path, or those whose paths are worth optimising.
+std::vector<SearchVariant> variants(const Task& task)
 {
-  return distance(a, b) < 1e-6 && std::abs(wrap_angle(a.theta - b.theta)) < 1e-6;
+  const SearchOptions& options = task.context.options.search;
+  if (task.request.frontend_only || is_paper(task.context.options)) return {{task.request.modes, options}};
+  return variants_by_time(task.context.robot(), options, task.request.modes);
 }
 
-bool is_paper(const PlannerOptions& options)
-{
-  return options.optimize.formulation == Formulation::paper;
-}
-
-/// The paths worth optimising; the result says how the search went.
-Candidates find(const Task& task, PlanResult& result)
+/// Paths from start to goal; the result says how the search went.
+std::vector<Path> find(const Task& task, PlanResult& result)
 {
   const PlanClock::time_point begin = PlanClock::now();
-  const PlanRequest& request = task.request;
-  std::vector<Pose>* expanded = task.trace ? &task.trace->expanded : nullptr;
-  const FrontEnd front_end(task.checker, task.world.robot, request.start, request.goal, task.interrupt);
+  const PlanContext& context = task.context;
+  const Search search({context.checker, task.request.start, task.request.goal, context.interrupt});
   Candidates found =
-      request.frontend_only || is_paper(task.options)
-          ? find_one(front_end, task.options.search, request.modes, task.interrupt, expanded)
-          : find_several(front_end, task.world.robot, task.options.search, request.modes, task.interrupt, expanded);
+      find_candidates(search, variants(task), context.threads, task.trace ? &task.trace->expanded : nullptr);
   result.metrics.expansions = found.expansions;
   result.metrics.frontend_ms = ms_since(begin);
-  result.status = task.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
+  result.status = context.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
   if (result.status != PlanStatus::succeeded)
-    result.message = search_sentence(result.status, found.expansions, request);
+    result.message = search_sentence(result.status, found.expansions, task.request);
   else
     result.path = found.paths.front();
-  return found;
+  return std::move(found.paths);
 }
 
 double arrival_time(const Refinement& refinement)
@@ -84,19 +83,15 @@ double arrival_time(const Refinement& refinement)
 }
 
 /// All paths optimised, and those polished that may become the fastest by it.
-std::vector<Refinement> refine_all(const Task& task, const std::vector<Path>& paths)
+std::vector<Refinement> refine(const PlanContext& context, const std::vector<Path>& paths)
 {
-  const World& world = task.world;
-  const OptimizeOptions& options = task.options.optimize;
+  const BackEnd back_end(context);
   std::vector<Refinement> refined(paths.size());
-  in_parallel(refined.size(), [&](std::size_t i) {
-    refined[i] = refine(task.checker, world.rectangles, world.robot, options, task.speed(), paths[i], task.interrupt);
-  });
+  context.threads.for_each(refined.size(), [&](std::size_t i) { refined[i] = back_end.refine(paths[i]); });
   double least = std::numeric_limits<double>::infinity();
   for (const Refinement& refinement : refined) least = std::min(least, arrival_time(refinement));
-  in_parallel(refined.size(), [&](std::size_t i) {
-    if (arrival_time(refined[i]) <= kWorthPolishing * least)
-      polish(task.checker, world.rectangles, world.robot, options, task.speed(), task.interrupt, refined[i]);
+  context.threads.for_each(refined.size(), [&](std::size_t i) {
+    if (arrival_time(refined[i]) <= kWorthPolishing * least) back_end.polish(refined[i]);
   });
   return refined;
 }
@@ -122,11 +117,12 @@ void report(Refinement& refinement, PlanTrace* trace, PlanMetrics& metrics)
 /// The fastest that the referee accepts; when it accepts none, the first path with all its stops.
 void choose(const Task& task, const std::vector<Path>& paths, std::vector<Refinement> refined, PlanResult& result)
 {
+  const PlanContext& context = task.context;
   const std::vector<std::size_t> order = fastest_first(refined);
   std::vector<Trajectory> trajectories;
   for (std::size_t i : order) trajectories.push_back(std::move(refined[i].trajectory));
-  trajectories.push_back(stop_and_steer(paths.front(), task.world.robot, task.speed()));
-  const std::size_t chosen = judge(task.world, task.request, std::move(trajectories), result);
+  trajectories.push_back(stop_and_steer(paths.front(), context.robot(), context.reference_speed()));
+  const std::size_t chosen = judge(context.world, task.request, std::move(trajectories), result);
   if (chosen == order.size()) return;
   result.path = paths[order[chosen]];
   report(refined[order[chosen]], task.trace, result.metrics);
@@ -136,9 +132,9 @@ void refine_and_choose(const Task& task, const std::vector<Path>& paths, PlanRes
 {
   const PlanClock::time_point begin = PlanClock::now();
   std::vector<Refinement> refined;
-  if (!task.request.frontend_only) refined = refine_all(task, paths);
+  if (!task.request.frontend_only) refined = refine(task.context, paths);
   result.metrics.backend_ms = ms_since(begin);
-  if (task.interrupt.cancelled())
+  if (task.context.interrupt.cancelled())
   {
     result.status = PlanStatus::cancelled;
     result.message = search_sentence(result.status, result.metrics.expansions, task.request);
@@ -155,18 +151,37 @@ PlanStatus status_of(const PaperRefinement& refinement, const Interrupt& interru
 }
 
 /// The paper's back end: what it makes of the one path is the answer if the referee accepts it, and there is no other.
-void refine_as_paper(const Task& task, const Path& path, PlanResult& result)
+void refine_as_in_paper(const Task& task, const Path& path, PlanResult& result)
 {
   const PlanClock::time_point begin = PlanClock::now();
-  PaperRefinement refinement = refine_as_in_paper(task.world.rectangles, task.world.robot, PaperBackEndOptions(),
-                                                  task.speed(), path, task.interrupt);
+  PaperRefinement refinement = PaperBackEnd(task.context).refine(path);
   result.metrics.backend_ms = ms_since(begin);
   result.metrics.outer_iterations = refinement.outer_iterations;
   result.metrics.ipopt_iterations = refinement.ipopt_iterations;
-  result.status = status_of(refinement, task.interrupt);
+  result.status = status_of(refinement, task.context.interrupt);
   result.message = "the paper's back end: " + refinement.message;
   if (result.status == PlanStatus::succeeded)
-    judge(task.world, task.request, {std::move(refinement.trajectory)}, result);
+    judge(task.context.world, task.request, {std::move(refinement.trajectory)}, result);
+}
+
+/// The whole way from a request to a verified trajectory.
+PlanResult try_to_plan(const Task& task)
+{
+  const PlanRequest& request = task.request;
+  PlanResult result = check_request(task.context.checker, request);
+  if (result.status != PlanStatus::succeeded) return result;
+  if (same_pose(request.start, request.goal))
+  {
+    judge(task.context.world, request, {stay_at(request.start, request.modes)}, result);
+    return result;
+  }
+  const std::vector<Path> paths = find(task, result);
+  if (result.status != PlanStatus::succeeded) return result;
+  if (is_paper(task.context.options) && !request.frontend_only)
+    refine_as_in_paper(task, paths.front(), result);
+  else
+    refine_and_choose(task, paths, result);
+  return result;
 }
 
 /// Whether the two discs may be what is in the way.
@@ -176,67 +191,7 @@ bool is_too_tight(const PlanResult& result)
          result.status == PlanStatus::goal_unreachable || result.status == PlanStatus::no_path;
 }
 
-PlanResult find_and_refine(const Task& task)
-{
-  PlanResult result;
-  const Candidates found = find(task, result);
-  if (result.status != PlanStatus::succeeded) return result;
-  if (is_paper(task.options) && !task.request.frontend_only)
-    refine_as_paper(task, found.paths.front(), result);
-  else
-    refine_and_choose(task, found.paths, result);
-  return result;
-}
-
-PlanResult try_to_plan(const Task& task)
-{
-  const PlanRequest& request = task.request;
-  PlanResult result = check_request(task.checker, request);
-  if (result.status != PlanStatus::succeeded) return result;
-  if (!same_pose(request.start, request.goal)) return find_and_refine(task);
-  judge(task.world, request, {stay_at(request.start, request.modes)}, result);
-  return result;
-}
-
 }  // namespace
-
-World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options)
-  : World(occupancy, robot_model, options, PlanClock::now())
-{}
-
-World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options,
-             PlanClock::time_point begin)
-  : robot(robot_model),
-    grid(occupancy),
-    obstacles(occupancy, options.obstacles),
-    rectangles(obstacles),
-    referee(occupancy, options.obstacles, robot_model, options.referee),
-    build_ms(ms_since(begin))
-{}
-
-std::vector<Corridor> PlanTrace::corridors() const
-{
-  std::vector<Corridor> last;
-  for (const std::vector<RefinementRound>& segment : rounds)
-    if (!segment.empty()) last.push_back(segment.back().corridor);
-  return last;
-}
-
-std::vector<Corridor> PlanTrace::all_corridors() const
-{
-  std::vector<Corridor> all;
-  for (const std::vector<RefinementRound>& segment : rounds)
-    for (const RefinementRound& round : segment) all.push_back(round.corridor);
-  return all;
-}
-
-std::vector<Trajectory> PlanTrace::iterations() const
-{
-  std::vector<Trajectory> all;
-  for (const std::vector<RefinementRound>& segment : rounds)
-    for (std::size_t i = 0; i + 1 < segment.size(); ++i) all.push_back(segment[i].points);
-  return all;
-}
 
 void check(const PlannerOptions& options)
 {
@@ -246,9 +201,12 @@ void check(const PlannerOptions& options)
         "the structured solver has no penalties");
 }
 
-Planner::Planner(const Robot& robot, const PlannerOptions& options) : robot_(robot), options_(options)
+Planner::Planner(const PlannerOptions& options) : Planner(options, hardware_threads()) {}
+
+Planner::Planner(const PlannerOptions& options, int threads) : options_(options), threads_(threads)
 {
-  check(options);
+  check(options_);
+  const ThreadBudget usable(threads_);  // or it throws
 }
 
 PlanResult Planner::plan(const World& world, const PlanRequest& request, const Interrupt& interrupt,
@@ -256,12 +214,14 @@ PlanResult Planner::plan(const World& world, const PlanRequest& request, const I
 {
   const PlanClock::time_point begin = PlanClock::now();
   const Interrupt watch = interrupt.or_after(options_.planner_patience);
-  PlanResult result = try_to_plan({world, options_, request, watch, trace, {world.obstacles, world.robot}});
+  ThreadBudget threads(threads_);
+  const CollisionChecker two_discs(world.obstacles, world.robot);
+  PlanResult result = try_to_plan({{world, options_, two_discs, watch, threads}, request, trace});
   if (is_too_tight(result) && !is_paper(options_))
   {
     const PlanMetrics before = result.metrics;
     const CollisionChecker close(world.obstacles, world.robot, {request.start, request.goal});
-    result = try_to_plan({world, options_, request, watch, trace, close});
+    result = try_to_plan({{world, options_, close, watch, threads}, request, trace});
     result.metrics.frontend_ms += before.frontend_ms;
     result.metrics.expansions += before.expansions;
   }

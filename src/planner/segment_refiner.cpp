@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "certificate.h"
 #include "halved_segment.h"
 
 namespace fourwis
@@ -63,11 +62,11 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
 }
 
 /// What may show that a motion is free: the discs or, where the checker goes by it as well, the snug cover.
-std::vector<DiscCover> covers_with(const DiscCover& discs, const CollisionChecker& checker, const Robot& robot)
+Certifier certifier(const CollisionChecker& checker, const DiscCover& discs)
 {
-  std::vector<DiscCover> covers = {without_margin(discs, robot)};
+  std::vector<DiscCover> covers = {without_margin(discs, checker.robot())};
   if (checker.snug()) covers.push_back(*checker.snug());
-  return covers;
+  return Certifier(checker.map(), checker.robot(), std::move(covers));
 }
 
 }  // namespace
@@ -101,19 +100,15 @@ struct SegmentRefiner::Attempt
   std::vector<char> pinned;    ///< where the robot is to stop
 };
 
-SegmentRefiner::SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                               const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt)
-  : map_(checker.map()),
-    obstacles_(obstacles),
-    robot_(robot),
-    options_(options),
-    interrupt_(interrupt),
-    discs_(disc_cover(robot, options.corridor_discs)),
-    fine_discs_(disc_cover(robot, options.polish_discs)),
-    covers_(covers_with(discs_, checker, robot)),
-    fine_covers_(covers_with(fine_discs_, checker, robot)),
-    structured_(robot, options, reference_speed),
-    ipopt_(robot, options, reference_speed)
+SegmentRefiner::SegmentRefiner(const PlanContext& context)
+  : context_(context),
+    options_(context.options.optimize),
+    discs_(disc_cover(context.robot(), options_.corridor_discs)),
+    fine_discs_(disc_cover(context.robot(), options_.polish_discs)),
+    certifier_(certifier(context.checker, discs_)),
+    fine_certifier_(certifier(context.checker, fine_discs_)),
+    structured_(context.robot(), options_, context.reference_speed()),
+    ipopt_(context.robot(), options_, context.reference_speed())
 {}
 
 RefinedSegment SegmentRefiner::refine(const Segment& reference) const
@@ -131,7 +126,7 @@ RefinedSegment SegmentRefiner::refine(const Segment& reference) const
     result.rounds.push_back({std::move(regions.regions), std::move(solution.points)});
     if (!solution.solved)
     {
-      result.too_coarse = !interrupt_.cancelled() && !interrupt_.timed_out();
+      result.too_coarse = !context_.interrupt.cancelled() && !context_.interrupt.timed_out();
       return give_up(std::move(result), solution.message);
     }
     const bool certified = is_certified(attempt, result);
@@ -147,14 +142,14 @@ RefinedSegment SegmentRefiner::refine(const Segment& reference) const
 
 bool SegmentRefiner::polish(std::vector<RefinementRound>& rounds, int& solver_iterations) const
 {
-  const HalvedSegment halved(robot_, rounds.back().points);
+  const HalvedSegment halved(context_.robot(), rounds.back().points);
   PolytopeCorridor regions = corridor(fine_discs_, halved.reference.knots, {});
   if (regions.status != CorridorStatus::succeeded) return false;
   SegmentSolution solution = solve(halved.reference, near_edges(regions.regions, halved.points, kPolishReach),
                                    &halved.points, {}, kFineTolerance);
   solver_iterations += solution.iterations;
   if (!solution.solved || solution.points.back().t >= rounds.back().points.back().t) return false;
-  const Certificate certificate = certify(map_, fine_covers_, robot_, solution.points);
+  const Certificate certificate = fine_certifier_.certify(solution.points);
   if (certificate.worst_rollout > kMostRolloutMiss || certificate.least_clearance() < kLeastClearance) return false;
   rounds.push_back({std::move(regions.regions), std::move(solution.points)});
   return true;
@@ -165,15 +160,15 @@ PolytopeCorridor SegmentRefiner::corridor(const DiscCover& discs, const std::vec
 {
   PolytopeOptions options;
   options.range = options_.corridor_range;
-  return polytope_corridor(obstacles_, discs, options, knots, shrink);
+  return polytope_corridor(context_.world.rectangles, discs, options, knots, shrink);
 }
 
 SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
                                       const std::vector<char>& pinned, double tolerance) const
 {
   if (options_.solver == NlpSolver::ipopt)
-    return ipopt_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
-  return structured_.solve(reference, corridor, previous, pinned, tolerance, interrupt_);
+    return ipopt_.solve(reference, corridor, previous, pinned, tolerance, context_.interrupt);
+  return structured_.solve(reference, corridor, previous, pinned, tolerance, context_.interrupt);
 }
 
 /// Sets `solved` when no disc comes too close between the knots. Where one does, makes the robot stop at a cusp beside the
@@ -181,7 +176,7 @@ SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& 
 bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) const
 {
   const Trajectory& points = result.points();
-  const Certificate certificate = certify(map_, covers_, robot_, points);
+  const Certificate certificate = certifier_.certify(points);
   result.too_coarse = certificate.worst_rollout > kMostRolloutMiss;
   result.solved = true;
   for (std::size_t k = 0; k < attempt.shrink.size(); ++k)

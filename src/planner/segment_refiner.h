@@ -3,14 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "certifier.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
-#include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/segment.h"
 #include "fourwis_navigation/optimize/ipopt_segment_optimizer.h"
-#include "fourwis_navigation/optimize/optimize_options.h"
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 #include "fourwis_navigation/planner/refinement_round.h"
+#include "plan_context.h"
 
 namespace fourwis
 {
@@ -33,9 +32,7 @@ struct RefinedSegment
 class SegmentRefiner
 {
 public:
-  /// Keeps references to all of them.
-  SegmentRefiner(const CollisionChecker& checker, const ObstacleRectangles& obstacles, const Robot& robot,
-                 const OptimizeOptions& options, double reference_speed, const Interrupt& interrupt);
+  explicit SegmentRefiner(const PlanContext& context);
 
   /// Rounds of corridor and optimisation until the certificate holds.
   RefinedSegment refine(const Segment& reference) const;
@@ -53,13 +50,10 @@ private:
                         const std::vector<char>& pinned, double tolerance) const;
   bool is_certified(Attempt& attempt, RefinedSegment& result) const;
 
-  const ObstacleMap& map_;
-  const ObstacleRectangles& obstacles_;
-  const Robot& robot_;
+  const PlanContext context_;
   const OptimizeOptions& options_;
-  const Interrupt& interrupt_;
   const DiscCover discs_, fine_discs_;
-  const std::vector<DiscCover> covers_, fine_covers_;  ///< what shows that a motion is free of collisions
+  const Certifier certifier_, fine_certifier_;
   const SegmentOptimizer structured_;
   const IpoptSegmentOptimizer ipopt_;
 };

@@ -15,7 +15,7 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
     poses_(parameters.node, tf_),
     maps_(parameters.node.global_frame, parameters.robot, parameters.planner,
           [this](const std::string& message) { topics_.publish_refusal({}, message); }),
-    planner_(Planner(parameters.robot, parameters.planner), maps_,
+    planner_(Planner(parameters.planner), maps_,
              parameters.node.show_expansions || parameters.node.show_corridors || parameters.node.show_iterations),
     diagnostics_(maps_, topics_),
     drive_(parameters.node.controller_patience),

@@ -29,8 +29,6 @@ public:
   /// Waits for a map that is being built. A map that arrives while it plans does not touch it. Never throws.
   PlanAnswer plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const;
 
-  const Robot& robot() const { return planner_.robot(); }
-
 private:
   const Planner planner_;
   const MapStore& maps_;

@@ -81,12 +81,13 @@ bool GoalDistance::is_passable(const CollisionChecker& checker, int cell) const
   return checker.map().is_clear(centre.x, centre.y, least_clearance(checker) - M_SQRT1_2 * cells_.size());
 }
 
-GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack,
-                           const Interrupt& interrupt)
-  : cells_(checker.map(), kCellSize),
+GoalDistance::GoalDistance(const SearchProblem& problem, double slack)
+  : cells_(problem.checker.map(), kCellSize),
     field_(cells_.count(), kUnseen)
 {
-  const int start_cell = cells_.index(start.x, start.y), goal_cell = cells_.index(goal.x, goal.y);
+  const Interrupt& interrupt = problem.interrupt;
+  const int start_cell = cells_.index(problem.start.x, problem.start.y);
+  const int goal_cell = cells_.index(problem.goal.x, problem.goal.y);
   const double unit = cells_.size() / kStraight;
   std::vector<std::int8_t> passable(cells_.count(), -1);  // -1 not asked yet
   passable[static_cast<std::size_t>(start_cell)] = 1;
@@ -107,7 +108,7 @@ GoalDistance::GoalDistance(const CollisionChecker& checker, const Pose& start, c
         const std::size_t next = static_cast<std::size_t>(next_cell);
         const int reach = distance + (diagonal ? kDiagonal : kStraight);
         if (field_[next] <= static_cast<float>(reach)) return;
-        if (passable[next] < 0) passable[next] = is_passable(checker, next_cell);
+        if (passable[next] < 0) passable[next] = is_passable(problem.checker, next_cell);
         if (!passable[next]) return;
         field_[next] = static_cast<float>(reach);
         queue.push(reach, next_cell);

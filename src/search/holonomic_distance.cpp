@@ -21,12 +21,12 @@ struct Wave
 
 }  // namespace
 
-HolonomicDistance::HolonomicDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal,
-                                     double cell_size, double slack, const Interrupt& interrupt)
-  : cells_(checker.map(), cell_size),
+HolonomicDistance::HolonomicDistance(const SearchProblem& problem, double cell_size, double slack)
+  : cells_(problem.checker.map(), cell_size),
     steps_(cells_.count() * kHeadings, kUnseen)
 {
-  FreeHeadings free(checker, cells_);
+  const Pose &start = problem.start, &goal = problem.goal;
+  FreeHeadings free(problem.checker, cells_);
   std::vector<HeadingSet> reached(cells_.count(), 0);
   std::vector<Wave> wave, next;
   const auto reach = [&](int cell, HeadingSet headings, int step) {
@@ -45,7 +45,7 @@ HolonomicDistance::HolonomicDistance(const CollisionChecker& checker, const Pose
   int last_step = kUnseen - 1;
   for (int step = 1; !next.empty() && step <= last_step; ++step)
   {
-    if (interrupt.cancelled() || interrupt.timed_out()) break;
+    if (problem.interrupt.cancelled() || problem.interrupt.timed_out()) break;
     wave.swap(next);
     next.clear();
     for (const Wave& from : wave)

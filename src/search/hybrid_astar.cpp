@@ -55,17 +55,17 @@ struct OpenEntry
   bool operator<(const OpenEntry& other) const { return f != other.f ? f > other.f : node < other.node; }
 };
 
-class Search
+class HybridAStar
 {
 public:
-  Search(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options, const PlanRequest& request,
-         const DistanceToGoal& distance_to_goal)
-    : checker_(checker),
-      robot_(robot),
+  HybridAStar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
+              const DistanceToGoal& distance_to_goal)
+    : checker_(problem.checker),
+      robot_(checker_.robot()),
       options_(options),
-      request_(request),
-      cost_(robot, options),
-      curves_(robot, options, cost_, request.modes),
+      request_{problem.start, problem.goal, modes},
+      cost_(robot_, options),
+      curves_(robot_, options, cost_, request_.modes),
       distance_(distance_to_goal)
   {}
 
@@ -295,7 +295,7 @@ private:
   const CollisionChecker& checker_;
   const Robot& robot_;
   const SearchOptions& options_;
-  const PlanRequest& request_;
+  const PlanRequest request_;
   const MotionCost cost_;
   const ModeCurves curves_;
   const DistanceToGoal& distance_;
@@ -312,11 +312,10 @@ private:
 
 }  // namespace
 
-SearchResult hybrid_astar(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                          const PlanRequest& request, const DistanceToGoal& distance, const Interrupt& interrupt,
-                          std::vector<Pose>* expanded)
+SearchResult hybrid_astar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
+                          const DistanceToGoal& distance, std::vector<Pose>* expanded)
 {
-  return Search(checker, robot, options, request, distance).run(interrupt, expanded);
+  return HybridAStar(problem, options, modes, distance).run(problem.interrupt, expanded);
 }
 
 }  // namespace fourwis

@@ -39,6 +39,9 @@ public:
   /// Keeps references: all must outlive this object.
   ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes);
 
+  const MotionCost& cost() const { return cost_; }
+  const ModeSet& modes() const { return modes_; }
+
   /// Where a curve begins: the mode the robot is in, the piece driven before (null at the start and after a switch),
   /// and whether it is the start of the whole path, where a switch costs less.
   struct Situation

@@ -70,9 +70,10 @@ private:
 
 }  // namespace
 
-bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
-                      const Pose& goal, double cell_size, Proof proof, const Interrupt& interrupt)
+bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double cell_size, Proof proof)
 {
+  const CollisionChecker& checker = problem.checker;
+  const Interrupt& interrupt = problem.interrupt;
   const CoarseCells cells(checker.map(), cell_size);
   std::optional<DiscPlaces> places;
   if (proof == Proof::sharp)
@@ -82,9 +83,9 @@ bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& dista
     const Pose centre = cells.centre(cell);
     return distance(centre.x, centre.y);
   });
-  Flood from_goal(free, cells, [&](int cell) { return fourwis::distance(cells.centre(cell), start); });
-  from_start.begin(start);
-  from_goal.begin(goal);
+  Flood from_goal(free, cells, [&](int cell) { return fourwis::distance(cells.centre(cell), problem.start); });
+  from_start.begin(problem.start);
+  from_goal.begin(problem.goal);
   for (int steps = 1; !from_start.exhausted() && !from_goal.exhausted(); ++steps)
   {
     const int a = from_start.step(), b = from_goal.step();

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/search/goal_distance.h"
+#include "fourwis_navigation/search/search_problem.h"
 
 namespace fourwis
 {
@@ -18,7 +17,6 @@ enum class Proof
 /// start to goal. False is a proof that no plan exists; true is none that one does: cells are taken as free when any pose
 /// in them may be. Floods (x, y, theta) from both ends until they meet or one is exhausted, so the cost goes with
 /// the smaller side. True when interrupted.
-bool may_be_reachable(const CollisionChecker& checker, const GoalDistance& distance, const Pose& start,
-                      const Pose& goal, double cell_size, Proof proof, const Interrupt& interrupt);
+bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double cell_size, Proof proof);
 
 }  // namespace fourwis

@@ -31,13 +31,12 @@ struct Place
 class Shortcut
 {
 public:
-  Shortcut(const CollisionChecker& checker, const ModeCurves& curves, const MotionCost& cost, const Path& path,
-           Mode start_mode)
+  Shortcut(const CollisionChecker& checker, const ModeCurves& curves, const Path& path)
     : checker_(checker),
       curves_(curves),
-      cost_(cost),
+      cost_(curves.cost()),
       path_(path),
-      start_mode_(start_mode)
+      start_mode_(curves.modes().first())
   {
     for (const PathPiece& piece : path.pieces) append_split(piece);
     places_.resize(pieces_.size() + 1);
@@ -187,11 +186,10 @@ private:
 
 }  // namespace
 
-Path shortcut(const CollisionChecker& checker, const ModeCurves& curves, const MotionCost& cost, const Path& path,
-              Mode start_mode, const Interrupt& interrupt)
+Path shortcut(const CollisionChecker& checker, const ModeCurves& curves, const Path& path, const Interrupt& interrupt)
 {
   if (path.pieces.size() < 2) return path;
-  return Shortcut(checker, curves, cost, path, start_mode).run(interrupt);
+  return Shortcut(checker, curves, path).run(interrupt);
 }
 
 }  // namespace fourwis

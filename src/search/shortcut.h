@@ -4,7 +4,6 @@
 #include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/path.h"
 #include "mode_curves.h"
-#include "motion_cost.h"
 
 namespace fourwis
 {
@@ -12,7 +11,6 @@ namespace fourwis
 /// A path of at most the cost of `path`, from the same start to the same goal: dynamic programming over the places where
 /// pieces meet, where any two may be joined by the cheapest free multi-modal curve instead. Mends what a weighted search
 /// is too greedy for. Returns the best so far when interrupted.
-Path shortcut(const CollisionChecker& checker, const ModeCurves& curves, const MotionCost& cost, const Path& path,
-              Mode start_mode, const Interrupt& interrupt);
+Path shortcut(const CollisionChecker& checker, const ModeCurves& curves, const Path& path, const Interrupt& interrupt);
 
 }  // namespace fourwis

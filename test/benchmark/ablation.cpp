@@ -5,7 +5,7 @@
 
 #include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/referee/referee.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "planner/stop_and_steer.h"
 #include "search/motion_cost.h"
 #include "statistics.h"
@@ -53,7 +53,7 @@ Outcome run(const Setup& setup, const SearchOptions& options, const OccupancyGri
     const auto begin = std::chrono::steady_clock::now();
     const ObstacleMap map(grid, setup.options.obstacles);
     const CollisionChecker checker(map, setup.robot);
-    outcome.found = find_path(checker, setup.robot, options, request, Interrupt());
+    outcome.found = Search({checker, request.start, request.goal}).find(options, request.modes);
     outcome.ms.push_back(ms_since(begin));
   }
   return outcome;

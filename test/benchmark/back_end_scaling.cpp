@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourwis_navigation/search/front_end.h"
 #include "planner/back_end.h"
 #include "planner/candidates.h"
 #include "statistics.h"
@@ -18,8 +17,8 @@ struct Sample
   std::string problem;
   double length = 0.0;  ///< of the path [m]
   Refinement refinement;
-  std::vector<double> cpu_ms;     ///< of refine()
-  std::vector<double> polish_ms;  ///< of polish() in addition
+  std::vector<double> cpu_ms;     ///< of BackEnd::refine()
+  std::vector<double> polish_ms;  ///< of BackEnd::polish() in addition
 
   double refined() const { return median(cpu_ms); }
   double polished() const { return refined() + median(polish_ms); }
@@ -31,23 +30,23 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
   Sample sample;
   sample.problem = problem.id;
   const World world(grid, setup.robot, setup.options);
-  const CollisionChecker checker(world.obstacles, setup.robot);
+  const CollisionChecker checker(world.obstacles, world.robot);
   if (!checker.is_free(problem.start) || !checker.is_free(problem.goal)) return sample;
-  const SearchOptions& search = setup.options.search;
-  const FrontEnd front_end(checker, setup.robot, problem.start, problem.goal, Interrupt());
-  const Candidates found = find_several(front_end, setup.robot, search, setup.modes, Interrupt(), nullptr);
+  ThreadBudget threads;
+  const Search search({checker, problem.start, problem.goal});
+  const Candidates found =
+      find_candidates(search, variants_by_time(world.robot, setup.options.search, setup.modes), threads);
   if (found.paths.empty()) return sample;
   sample.length = found.paths.front().length();
   for (int run = 0; run < setup.runs; ++run)
   {
     const double begin = cpu_ms();
-    sample.refinement = refine(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed,
-                               found.paths.front(), Interrupt());
+    const BackEnd back_end({world, setup.options, checker, {}, threads});
+    sample.refinement = back_end.refine(found.paths.front());
     sample.cpu_ms.push_back(cpu_ms() - begin);
     Refinement polished = sample.refinement;
     const double between = cpu_ms();
-    polish(checker, world.rectangles, setup.robot, setup.options.optimize, search.reference_speed, Interrupt(),
-           polished);
+    back_end.polish(polished);
     sample.polish_ms.push_back(cpu_ms() - between);
   }
   return sample;

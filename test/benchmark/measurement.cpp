@@ -20,7 +20,7 @@ bool same(const PlanResult& a, const PlanResult& b)
 
 Measurement measure(const Setup& setup, const OccupancyGrid& grid, const Pose& start, const Pose& goal)
 {
-  const Planner planner(setup.robot, setup.options);
+  const Planner planner(setup.options);
   Measurement measurement;
   for (int run = 0; run < setup.runs; ++run)
   {

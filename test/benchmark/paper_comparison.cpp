@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "paper_results.h"
 #include "planner/back_end.h"
 #include "planner/paper_back_end.h"
@@ -52,19 +52,14 @@ public:
     : setup_(setup),
       environment_(environment),
       world_(grid, setup.robot, setup.options),
-      checker_(world_.obstacles, setup.robot),
-      found_(find_path(checker_, setup.robot, setup.options.search, {environment.start, environment.goal, setup.modes},
-                       Interrupt()))
+      checker_(world_.obstacles, world_.robot),
+      found_(Search({checker_, environment.start, environment.goal}).find(setup.options.search, setup.modes))
   {
     if (found_.status != PlanStatus::succeeded) return;
-    const double speed = setup.options.search.reference_speed;
-    paper_ms_ = cpu_times(setup, [&] {
-      paper_ =
-          refine_as_in_paper(world_.rectangles, setup.robot, PaperBackEndOptions(), speed, found_.path, Interrupt());
-    });
-    ours_ms_ = cpu_times(setup, [&] {
-      ours_ = refine(checker_, world_.rectangles, setup.robot, setup.options.optimize, speed, found_.path, Interrupt());
-    });
+    ThreadBudget threads;
+    const PlanContext context{world_, setup.options, checker_, {}, threads};
+    paper_ms_ = cpu_times(setup, [&] { paper_ = PaperBackEnd(context).refine(found_.path); });
+    ours_ms_ = cpu_times(setup, [&] { ours_ = BackEnd(context).refine(found_.path); });
     whole_ = measure(setup, grid, environment.start, environment.goal);
   }
 

@@ -107,7 +107,7 @@ std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std:
 {
   std::vector<PlannedEnvironment> environments;
   MapShelf maps;
-  const Planner planner(setup.robot, setup.options);
+  const Planner planner(setup.options);
   for (const Problem& problem : problems)
   {
     const OccupancyGrid& grid = maps.grid(problem.map);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "corridor_fixture.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "fourwis_navigation/segment/segment.h"
 
 namespace fourwis
@@ -214,7 +214,7 @@ TEST(BoxPaths, PathsOfTheSearchGetBoxesWithoutADeficitToSpeakOf)
     PlanRequest request;
     request.start = free_pose(random, scene.site.checker);
     request.goal = free_pose(random, scene.site.checker);
-    const SearchResult found = find_path(scene.site.checker, scene.site.robot, {}, request, Interrupt());
+    const SearchResult found = Search({scene.site.checker, request.start, request.goal}).find({}, request.modes);
     if (found.status != PlanStatus::succeeded) continue;
     ++paths;
     for (const Segment& segment : split_at_switches(found.path, scene.site.robot, 0.2))

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "polytope_laws.h"
 
@@ -204,7 +204,7 @@ TEST(PolytopePaths, PathsOfTheSearchGetRegionsWithHardlyADeficit)
     PlanRequest request;
     request.start = free_pose(random, scene.site.checker);
     request.goal = free_pose(random, scene.site.checker);
-    const SearchResult found = find_path(scene.site.checker, scene.site.robot, {}, request, Interrupt());
+    const SearchResult found = Search({scene.site.checker, request.start, request.goal}).find({}, request.modes);
     if (found.status != PlanStatus::succeeded) continue;
     ++paths;
     // An arc's sagitta at the greatest curvature, and what the search's checks may miss between poses.

@@ -10,7 +10,7 @@
 
 #include "../support/grids.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "fourwis_navigation/segment/segment.h"
 #include "optimize/ipopt_solver.h"
 #include "optimize/ocp_nlp.h"
@@ -60,7 +60,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
       const Site site(clutter(random, 6.0, k % 2 == 0 ? 0.1 : 0.05, 6, random.pose(5.0)));
       const ModeSet modes = all_mode_sets()[static_cast<std::size_t>(k) % 7];
       const PlanRequest request = {free_pose(random, site.checker), free_pose(random, site.checker), modes};
-      const Path path = find_path(site.checker, robot, search, request, {}).path;
+      const Path path = Search({site.checker, request.start, request.goal}).find(search, modes).path;
       for (const Segment& segment : split_at_switches(path, robot, options.spacing))
       {
         const PolytopeCorridor corridor =

@@ -5,8 +5,7 @@
 #include <atomic>
 
 #include "../support/grids.h"
-#include "fourwis_navigation/referee/referee.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "planner/stop_and_steer.h"
 
 namespace fourwis
@@ -16,7 +15,6 @@ namespace
 
 constexpr unsigned kFirstSeed = 1;
 constexpr int kSeeds = 1000;
-constexpr double kSpeed = 1.0;
 
 bool same(const Trajectory& a, const Trajectory& b)
 {
@@ -31,33 +29,37 @@ struct Scene
 {
   Scene(unsigned seed, double resolution, const Robot& robot)
     : random(seed),
-      grid(clutter(random, 9.0, resolution, 10, random.pose(5.0))),
-      map(grid),
-      checker(map, robot),
-      obstacles(map)
+      world(clutter(random, 9.0, resolution, 10, random.pose(5.0)), robot, {}),
+      checker(world.obstacles, world.robot)
   {
     request.start = free_pose(random, checker);
     request.goal = free_pose(random, checker);
     const std::vector<ModeSet> sets = all_mode_sets();
     request.modes = sets[seed % sets.size()];
-    found = find_path(checker, robot, options, request, Interrupt());
+    found = Search({checker, request.start, request.goal}).find({}, request.modes);
+  }
+
+  Verdict judge(const Trajectory& trajectory) const
+  {
+    return world.referee.judge(request.start, request.goal, trajectory);
   }
 
   Random random;
-  OccupancyGrid grid;
-  ObstacleMap map;
+  World world;
   CollisionChecker checker;
-  ObstacleRectangles obstacles;
-  SearchOptions options;
   PlanRequest request;
   SearchResult found;
 };
 
-struct BackEnd : testing::Test
+struct BackEndTest : testing::Test
 {
-  Refinement refine(const Scene& scene, const Interrupt& interrupt = {}) const
+  BackEnd back_end(const Scene& scene, const Interrupt& interrupt = {})
   {
-    return fourwis::refine(scene.checker, scene.obstacles, robot, options, kSpeed, scene.found.path, interrupt);
+    return BackEnd({scene.world, options, scene.checker, interrupt, threads});
+  }
+  Refinement refine(const Scene& scene, const Interrupt& interrupt = {})
+  {
+    return back_end(scene, interrupt).refine(scene.found.path);
   }
 
   /// Visits the scenes whose path is found.
@@ -77,53 +79,73 @@ struct BackEnd : testing::Test
   }
 
   const Robot robot;
-  const OptimizeOptions options;
+  const PlannerOptions options;
+  ThreadBudget threads;
 };
 
-TEST_F(BackEnd, OptimisesEverySegmentOfRandomPathsIntoWhatTheRefereeAccepts)
+TEST_F(BackEndTest, OptimisesEverySegmentOfRandomPathsIntoWhatTheRefereeAccepts)
 {
   for_scenes(kSeeds, [&](const Scene& scene) {
     const Refinement refinement = refine(scene);
     EXPECT_EQ(refinement.fallbacks, 0) << refinement.message;
-    const Verdict verdict = Referee(scene.grid, ObstacleRule(), robot)
-                                .judge(scene.request.start, scene.request.goal, refinement.trajectory);
+    const Verdict verdict = scene.judge(refinement.trajectory);
     EXPECT_TRUE(verdict.accepted()) << verdict.violations.front().what;
     EXPECT_LE(verdict.terminal_position_error, 1e-4);
   });
 }
 
-TEST_F(BackEnd, IsNeverSlowerThanStoppingToSteer)
+TEST_F(BackEndTest, IsNeverSlowerThanStoppingToSteer)
 {
   for_scenes(40, [&](const Scene& scene) {
-    const double with_stops = stop_and_steer(scene.found.path, robot, kSpeed).back().t;
+    const double with_stops = stop_and_steer(scene.found.path, robot, options.search.reference_speed).back().t;
     EXPECT_LE(refine(scene).trajectory.back().t, with_stops * 1.001 + 0.01);
   });
 }
 
-TEST_F(BackEnd, PolishingArrivesEarlierOrChangesNothing)
+TEST_F(BackEndTest, PolishingArrivesEarlierOrChangesNothing)
 {
   int earlier = 0, scenes = 0;
   for_scenes(200, [&](const Scene& scene) {
     const Refinement before = refine(scene);
     Refinement after = before;
-    polish(scene.checker, scene.obstacles, robot, options, kSpeed, {}, after);
+    back_end(scene).polish(after);
     const bool is_earlier = after.trajectory.back().t < before.trajectory.back().t;
     EXPECT_TRUE(is_earlier || same(after.trajectory, before.trajectory));
     ++scenes;
     earlier += is_earlier;
-    const Verdict verdict =
-        Referee(scene.grid, ObstacleRule(), robot).judge(scene.request.start, scene.request.goal, after.trajectory);
+    const Verdict verdict = scene.judge(after.trajectory);
     EXPECT_TRUE(verdict.accepted()) << verdict.violations.front().what;
   });
   EXPECT_GT(earlier, scenes / 4) << "of " << scenes;
 }
 
-TEST_F(BackEnd, GivesTheSameAnswerEachTime)
+TEST_F(BackEndTest, GivesTheSameAnswerEachTime)
 {
   for_scenes(20, [&](const Scene& scene) { EXPECT_TRUE(same(refine(scene).trajectory, refine(scene).trajectory)); });
 }
 
-TEST_F(BackEnd, AnswersNothingWhenCancelled)
+TEST_F(BackEndTest, GivesTheSameAnswerWithAnyNumberOfThreads)
+{
+  for_scenes(20, [&](const Scene& scene) {
+    ThreadBudget one(1);
+    const BackEnd alone({scene.world, options, scene.checker, {}, one});
+    Refinement expected = alone.refine(scene.found.path);
+    const Trajectory refined = expected.trajectory;
+    alone.polish(expected);
+    for (int count : {2, 8})
+    {
+      ThreadBudget several(count);
+      const BackEnd shared({scene.world, options, scene.checker, {}, several});
+      Refinement refinement = shared.refine(scene.found.path);
+      EXPECT_TRUE(same(refinement.trajectory, refined)) << count << " threads";
+      shared.polish(refinement);
+      EXPECT_TRUE(same(refinement.trajectory, expected.trajectory)) << count << " threads";
+      EXPECT_EQ(refinement.solver_iterations, expected.solver_iterations);
+    }
+  });
+}
+
+TEST_F(BackEndTest, AnswersNothingWhenCancelled)
 {
   const std::atomic<bool> cancelled{true};
   const Scene scene(kFirstSeed + 6, 0.1, robot);
@@ -131,15 +153,13 @@ TEST_F(BackEnd, AnswersNothingWhenCancelled)
   EXPECT_TRUE(refine(scene, Interrupt(&cancelled)).trajectory.empty());
 }
 
-TEST_F(BackEnd, StopsToSteerWhenTheTimeIsOver)
+TEST_F(BackEndTest, StopsToSteerWhenTheTimeIsOver)
 {
   const Scene scene(kFirstSeed + 6, 0.1, robot);
   ASSERT_EQ(scene.found.status, PlanStatus::succeeded);
   const Refinement late = refine(scene, Interrupt(nullptr, Interrupt::Clock::now()));
   EXPECT_EQ(late.fallbacks, static_cast<int>(late.parts.size()));
-  EXPECT_TRUE(Referee(scene.grid, ObstacleRule(), robot)
-                  .judge(scene.request.start, scene.request.goal, late.trajectory)
-                  .accepted());
+  EXPECT_TRUE(scene.judge(late.trajectory).accepted());
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "../segment/random_path.h"
 #include "../support/grids.h"
 #include "fourwis_navigation/planner/planner.h"
-#include "fourwis_navigation/referee/referee.h"
 #include "planner/back_end.h"
 
 namespace fourwis
@@ -15,7 +16,6 @@ namespace fourwis
 namespace
 {
 
-constexpr double kSpeed = 1.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
 
 /// A hall of 12 m x 8 m with a block in its middle.
@@ -28,24 +28,24 @@ OccupancyGrid hall()
 
 struct BackEndGarbage : testing::Test
 {
-  Refinement refine(const Path& path, const Robot& with) const
+  Refinement refine(const Path& path)
   {
-    const CollisionChecker checker(map, with);
-    Refinement refinement = fourwis::refine(checker, obstacles, with, OptimizeOptions(), kSpeed, path, {});
-    polish(checker, obstacles, with, OptimizeOptions(), kSpeed, {}, refinement);
+    const BackEnd back_end({world, options, checker, {}, threads});
+    Refinement refinement = back_end.refine(path);
+    back_end.polish(refinement);
     return refinement;
   }
-  Refinement refine(const Path& path) const { return refine(path, robot); }
 
-  Verdict judge(const Path& path) const
+  Verdict judge(const Path& path)
   {
-    return Referee(grid, ObstacleRule(), robot).judge(path.pieces.front().start, path.goal, refine(path).trajectory);
+    return world.referee.judge(path.pieces.front().start, path.goal, refine(path).trajectory);
   }
 
   const Robot robot;
-  const OccupancyGrid grid = hall();
-  const ObstacleMap map{grid};
-  const ObstacleRectangles obstacles{map};
+  const PlannerOptions options;
+  const World world{hall(), robot, options};
+  const CollisionChecker checker{world.obstacles, world.robot};
+  ThreadBudget threads;
 };
 
 TEST_F(BackEndGarbage, NothingToDriveIsAnEmptyTrajectory)
@@ -110,23 +110,37 @@ TEST_F(BackEndGarbage, NumbersThatAreNoneAreNeverOptimised)
     }
 }
 
-/// Robots are checked where they are read; this is what happens if one gets past.
-TEST_F(BackEndGarbage, LimitsOfZeroOrInfinityComeBackWithSomething)
+/// Robots are checked where they are read. This is what happens if one gets past: no world takes it, or a plan for it comes
+/// back with something.
+TEST_F(BackEndGarbage, LimitsOfZeroOrInfinityAreRefusedOrComeBackWithSomething)
 {
-  for (double Robot::*limit : {&Robot::max_speed, &Robot::max_acceleration, &Robot::max_steering_rate,
-                               &Robot::wheel_max_rate, &Robot::wheel_max_speed, &Robot::max_steering_angle})
+  PlannerOptions hasty;
+  hasty.planner_patience = 2.0;
+  for (const auto& [name, limit] : {std::pair("max_speed", &Robot::max_speed),
+                                    {"max_acceleration", &Robot::max_acceleration},
+                                    {"max_steering_rate", &Robot::max_steering_rate},
+                                    {"wheel_max_rate", &Robot::wheel_max_rate},
+                                    {"wheel_max_speed", &Robot::wheel_max_speed},
+                                    {"max_steering_angle", &Robot::max_steering_angle}})
     for (double bad : {0.0, kInfinity, kNaN})
     {
+      SCOPED_TRACE(std::string(name) + " = " + std::to_string(bad));
       Robot limited;
       limited.*limit = bad;
-      const World world(grid, robot, PlannerOptions());
-      PlannerOptions options;
-      options.planner_patience = 2.0;
-      const PlanResult result = Planner(limited, options).plan(world, {{2.0, 2.0, 0.0}, {4.0, 2.5, 0.3}, {}});
-      if (result.status == PlanStatus::succeeded)
-        EXPECT_TRUE(world.referee.judge({2.0, 2.0, 0.0}, {4.0, 2.5, 0.3}, result.trajectory).accepted());
-      else
-        EXPECT_FALSE(result.message.empty());
+      const PlanRequest request = {{2.0, 2.0, 0.0}, {4.0, 2.5, 0.3}, {}};
+      try
+      {
+        const World its_world(hall(), limited, hasty);
+        const PlanResult result = Planner(hasty).plan(its_world, request);
+        if (result.status == PlanStatus::succeeded)
+          EXPECT_TRUE(its_world.referee.judge(request.start, request.goal, result.trajectory).accepted());
+        else
+          EXPECT_FALSE(result.message.empty());
+      }
+      catch (const std::invalid_argument& error)
+      {
+        EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+      }
     }
 }
 

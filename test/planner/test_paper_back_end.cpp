@@ -9,7 +9,7 @@
 
 #include "../segment/random_path.h"
 #include "../support/grids.h"
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 #include "fourwis_navigation/segment/segment.h"
 
 namespace fourwis
@@ -18,7 +18,6 @@ namespace
 {
 
 constexpr unsigned kSeed = 34;
-constexpr double kSpeed = 1.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -31,11 +30,11 @@ OccupancyGrid corridor_grid()
   return grid;
 }
 
-struct PaperBackEnd : testing::Test
+struct PaperBackEndTest : testing::Test
 {
-  PaperRefinement refine(const Path& path, const Interrupt& interrupt = {}) const
+  PaperRefinement refine(const Path& path, const Interrupt& interrupt = {})
   {
-    return refine_as_in_paper(obstacles, robot, options, kSpeed, path, interrupt);
+    return PaperBackEnd({world, planner_options, checker, interrupt, threads}, options).refine(path);
   }
 
   /// A weaving drive through the corridor.
@@ -46,20 +45,22 @@ struct PaperBackEnd : testing::Test
     return path;
   }
 
-  void expect_status(PaperStatus status, const Path& path) const
+  void expect_status(PaperStatus status, const Path& path)
   {
     const PaperRefinement refinement = refine(path);
     EXPECT_STREQ(to_string(refinement.status), to_string(status)) << refinement.message;
     EXPECT_FALSE(refinement.message.empty());
   }
 
-  const Site site{corridor_grid()};
-  const Robot& robot = site.robot;
-  const ObstacleRectangles obstacles{site.map};
+  PlannerOptions planner_options;
+  const World world{corridor_grid(), {}, planner_options};
+  const Robot& robot = world.robot;
+  const CollisionChecker checker{world.obstacles, robot};
+  ThreadBudget threads;
   PaperBackEndOptions options;
 };
 
-TEST_F(PaperBackEnd, ConvergesInASimpleCorridor)
+TEST_F(PaperBackEndTest, ConvergesInASimpleCorridor)
 {
   for (Mode mode : kPlannedModes)
   {
@@ -76,18 +77,18 @@ TEST_F(PaperBackEnd, ConvergesInASimpleCorridor)
     ASSERT_EQ(points.size(), refinement.corridors[0].front.size());
     EXPECT_LT(distance(points.front().pose(), path.pieces.front().start), 1e-9);
     EXPECT_LT(distance(points.back().pose(), path.goal), 1e-9);
-    EXPECT_GT(points.back().t, distance(path.pieces.front().start, path.goal) / kSpeed);
+    EXPECT_GT(points.back().t, distance(path.pieces.front().start, path.goal) / planner_options.search.reference_speed);
     // Boxes hold the discs at the knots, up to what psi allows.
     for (const TrajectoryPoint& p : points)
-      for (double offset : {site.checker.discs().offset, -site.checker.discs().offset})
+      for (double offset : {checker.discs().offset, -checker.discs().offset})
       {
         const Pose centre = compose(p.pose(), {offset, 0.0, 0.0});
-        EXPECT_NEAR(centre.y, 2.0, 1.0 - site.checker.discs().radius + 2e-3);
+        EXPECT_NEAR(centre.y, 2.0, 1.0 - checker.discs().radius + 2e-3);
       }
   }
 }
 
-TEST_F(PaperBackEnd, JoinsSegmentsAtRestWithTheSwitchTime)
+TEST_F(PaperBackEndTest, JoinsSegmentsAtRestWithTheSwitchTime)
 {
   Path path = path_from({1.5, 2.0, 0.0});
   append(path, robot, Mode::ackermann, 0.0, 3.0);
@@ -112,7 +113,7 @@ TEST_F(PaperBackEnd, JoinsSegmentsAtRestWithTheSwitchTime)
   EXPECT_EQ(switches, 2);
 }
 
-TEST_F(PaperBackEnd, EndsWithAStatusOnPathsThroughRandomMaps)
+TEST_F(PaperBackEndTest, EndsWithAStatusOnPathsThroughRandomMaps)
 {
   Random random(kSeed);
   SearchOptions search;
@@ -121,14 +122,15 @@ TEST_F(PaperBackEnd, EndsWithAStatusOnPathsThroughRandomMaps)
   for (int k = 0; k < 14; ++k)
   {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " map " << k);
-    const Site scene(clutter(random, 6.0, k % 2 == 0 ? 0.1 : 0.05, 6, random.pose(5.0)));
-    const PlanRequest request = {free_pose(random, scene.checker), free_pose(random, scene.checker),
-                                 all_mode_sets()[static_cast<std::size_t>(k) % 7]};
-    const SearchResult found = find_path(scene.checker, robot, search, request, {});
+    const World cluttered(clutter(random, 6.0, k % 2 == 0 ? 0.1 : 0.05, 6, random.pose(5.0)), robot, planner_options);
+    const CollisionChecker free(cluttered.obstacles, robot);
+    const Pose start = free_pose(random, free), goal = free_pose(random, free);
+    const SearchResult found =
+        Search({free, start, goal}).find(search, all_mode_sets()[static_cast<std::size_t>(k) % 7]);
     if (found.path.pieces.empty()) continue;
     ++paths;
     const PaperRefinement refinement =
-        refine_as_in_paper(ObstacleRectangles(scene.map), robot, options, kSpeed, found.path, {});
+        PaperBackEnd({cluttered, planner_options, free, {}, threads}, options).refine(found.path);
     converged += refinement.status == PaperStatus::converged;
     rebuilt += refinement.status == PaperStatus::converged && refinement.outer_iterations > 1;
     EXPECT_EQ(refinement.status == PaperStatus::converged, refinement.infeasibility < options.convergence)
@@ -145,7 +147,7 @@ TEST_F(PaperBackEnd, EndsWithAStatusOnPathsThroughRandomMaps)
   EXPECT_GE(rebuilt, 1);
 }
 
-TEST_F(PaperBackEnd, SaysWhyThereIsNoTrajectory)
+TEST_F(PaperBackEndTest, SaysWhyThereIsNoTrajectory)
 {
   expect_status(PaperStatus::invalid_path, {});
   Path still = path_from({1.5, 2.0, 0.0});
@@ -170,7 +172,7 @@ TEST_F(PaperBackEnd, SaysWhyThereIsNoTrajectory)
   expect_status(PaperStatus::corridor, out_of_map);
 }
 
-TEST_F(PaperBackEnd, ManagesAMillimetre)
+TEST_F(PaperBackEndTest, ManagesAMillimetre)
 {
   Path path = path_from({1.5, 2.0, 0.0});
   append(path, robot, Mode::parallel, 0.1, 0.001);
@@ -179,7 +181,7 @@ TEST_F(PaperBackEnd, ManagesAMillimetre)
   EXPECT_LT(distance(refinement.trajectory.back().pose(), path.goal), 1e-9);
 }
 
-TEST_F(PaperBackEnd, StopsWhenInterrupted)
+TEST_F(PaperBackEndTest, StopsWhenInterrupted)
 {
   const std::atomic<bool> cancelled{true};
   EXPECT_EQ(refine(weaving(Mode::ackermann), Interrupt(&cancelled)).status, PaperStatus::interrupted);
@@ -187,12 +189,12 @@ TEST_F(PaperBackEnd, StopsWhenInterrupted)
   EXPECT_EQ(refine(weaving(Mode::ackermann), late).status, PaperStatus::interrupted);
 }
 
-TEST_F(PaperBackEnd, RefusesOptionsOutOfRange)
+TEST_F(PaperBackEndTest, RefusesOptionsOutOfRange)
 {
   const auto expect_refused = [&](const std::function<void(PaperBackEndOptions&)>& change) {
     PaperBackEndOptions changed;
     change(changed);
-    EXPECT_THROW(refine_as_in_paper(obstacles, robot, changed, kSpeed, weaving(Mode::ackermann), {}),
+    EXPECT_THROW(PaperBackEnd({world, planner_options, checker, {}, threads}, changed).refine(weaving(Mode::ackermann)),
                  std::invalid_argument);
   };
   expect_refused([](PaperBackEndOptions& o) { o.spacing = 0.0; });
@@ -200,7 +202,8 @@ TEST_F(PaperBackEnd, RefusesOptionsOutOfRange)
   expect_refused([](PaperBackEndOptions& o) { o.outer_iterations = 0; });
   expect_refused([](PaperBackEndOptions& o) { o.boxes.fine_step = -1.0; });
   expect_refused([](PaperBackEndOptions& o) { o.program.penalty = 0.0; });
-  EXPECT_THROW(refine_as_in_paper(obstacles, robot, options, 0.0, weaving(Mode::ackermann), {}), std::invalid_argument);
+  planner_options.search.reference_speed = 0.0;
+  EXPECT_THROW(refine(weaving(Mode::ackermann)), std::invalid_argument);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct PlannerTest : testing::Test
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
                   PlanTrace* trace = nullptr) const
   {
-    return Planner(robot, options).plan(world, request, interrupt, trace);
+    return Planner(options).plan(world, request, interrupt, trace);
   }
 
   /// Visits requests among clutter in all sets of modes, every other one for the front end alone, with what the planner
@@ -125,6 +125,28 @@ TEST_F(PlannerTest, GivesTheSameTrajectoryEveryTime)
     {
       ASSERT_EQ(again.trajectory[i].t, result.trajectory[i].t);
       ASSERT_TRUE(is_bitwise_equal(again.trajectory[i].pose(), result.trajectory[i].pose()));
+    }
+  });
+}
+
+TEST_F(PlannerTest, GivesTheSameTrajectoryWithAnyNumberOfThreads)
+{
+  for_plans(14, [&](const World& world, const PlanRequest& request, const PlanResult& result) {
+    for (int threads : {1, 2, 8})
+    {
+      PlanTrace trace;
+      const PlanResult again = Planner(options, threads).plan(world, request, {}, &trace);
+      ASSERT_EQ(again.status, result.status);
+      ASSERT_EQ(again.message, result.message);
+      ASSERT_TRUE(is_bitwise_equal(again.path, result.path));
+      ASSERT_EQ(again.metrics.ipopt_iterations, result.metrics.ipopt_iterations);
+      ASSERT_EQ(again.metrics.expansions, result.metrics.expansions);
+      ASSERT_EQ(again.trajectory.size(), result.trajectory.size());
+      for (std::size_t i = 0; i < again.trajectory.size(); ++i)
+      {
+        ASSERT_EQ(again.trajectory[i].t, result.trajectory[i].t);
+        ASSERT_TRUE(is_bitwise_equal(again.trajectory[i].pose(), result.trajectory[i].pose()));
+      }
     }
   });
 }
@@ -275,8 +297,9 @@ TEST_F(PlannerTest, AnswersWithAllItsStopsWhenTheTimeIsOverAfterTheSearch)
   const World world(free_area(8.0, 6.0, 0.1), robot, options);
   const Path path = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}}).path;
   const CollisionChecker checker(world.obstacles, robot);
-  const Refinement late = refine(checker, world.rectangles, robot, options.optimize, 1.0, path,
-                                 Interrupt(nullptr, Interrupt::Clock::now()));
+  ThreadBudget threads;
+  const Interrupt at_once(nullptr, Interrupt::Clock::now());
+  const Refinement late = BackEnd({world, options, checker, at_once, threads}).refine(path);
   EXPECT_TRUE(world.referee.judge({1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, late.trajectory).accepted());
 }
 
@@ -310,7 +333,7 @@ TEST_F(PlannerTest, RefusesThePapersFormulationWithoutIpopt)
   options.optimize.formulation = Formulation::paper;
   try
   {
-    Planner(robot, options);
+    Planner{options};
     FAIL();
   }
   catch (const std::invalid_argument& error)
@@ -355,12 +378,33 @@ TEST_F(PlannerTest, ShowsTheNodesItExpandedOnRequest)
   EXPECT_LE(static_cast<int>(trace.expanded.size()), result.metrics.expansions);
 }
 
-TEST_F(PlannerTest, KnowsItsRobotAndOptions)
+TEST_F(PlannerTest, KnowsItsOptionsAndItsWorldTheRobot)
 {
   options.planner_patience = 1.25;
-  const Planner planner(robot, options);
-  EXPECT_EQ(planner.robot().wheelbase, robot.wheelbase);
-  EXPECT_EQ(planner.options().planner_patience, 1.25);
+  EXPECT_EQ(Planner(options).options().planner_patience, 1.25);
+  Robot longer;
+  longer.wheelbase = 0.9;
+  const World world(free_area(8.0, 6.0, 0.1), longer, options);
+  EXPECT_EQ(world.robot.wheelbase, longer.wheelbase);
+  const PlanResult result = plan(world, {here, there, {}});
+  ASSERT_EQ(result.status, PlanStatus::succeeded) << result.message;
+  EXPECT_TRUE(Referee(world.grid, options.obstacles, longer).judge(here, there, result.trajectory).accepted());
+}
+
+TEST_F(PlannerTest, RefusesToWorkInNoThread)
+{
+  for (int none : {0, -1})
+  {
+    try
+    {
+      Planner(options, none);
+      FAIL();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_EQ(error.what(), "threads is " + std::to_string(none) + ", expected 1 or more");
+    }
+  }
 }
 
 TEST_F(PlannerTest, DoesNotBuildAWorldFromABadGrid)

@@ -19,7 +19,7 @@ struct TightPlaces : testing::Test
 
   PlanResult plan(const World& world, const Pose& start, const Pose& goal) const
   {
-    return Planner(robot, options).plan(world, {start, goal, {}});
+    return Planner(options).plan(world, {start, goal, {}});
   }
 
   static void expect_clear(const OccupancyGrid& grid, const Robot& robot, const Trajectory& trajectory)

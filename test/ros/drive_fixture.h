@@ -46,7 +46,7 @@ protected:
   Trajectory plan(const Pose& goal, const ModeSet& modes = {}) const
   {
     static const World world(free_area(20.0, 20.0, 0.05), {}, {});
-    return Planner({}, {}).plan(world, {truth(), goal, modes}).trajectory;
+    return Planner(PlannerOptions()).plan(world, {truth(), goal, modes}).trajectory;
   }
 
   /// Its stamp.

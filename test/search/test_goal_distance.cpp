@@ -19,7 +19,7 @@ constexpr double kFar = 1000.0;  ///< a slack that covers every map here [m]
 
 GoalDistance distances(const Site& site, const Pose& start, const Pose& goal, double slack = kFar)
 {
-  return GoalDistance(site.checker, start, goal, slack, {});
+  return GoalDistance({site.checker, start, goal}, slack);
 }
 
 TEST(CoarseCells, CoverTheMap)
@@ -168,7 +168,7 @@ TEST(GoalDistance, IsNoLongerThanAnyPathFound)
     SearchOptions options;
     options.max_expansions = 1000;
     const auto straight = [&](const Pose& pose) { return distance(pose, request.goal); };
-    const Path path = hybrid_astar(site.checker, site.robot, options, request, straight, {}).path;
+    const Path path = hybrid_astar({site.checker, request.start, request.goal}, options, request.modes, straight).path;
     if (path.pieces.empty()) continue;
     ++found;
     ASSERT_TRUE(field.reaches_start());
@@ -186,7 +186,7 @@ TEST(GoalDistance, StopsWhenInterrupted)
 {
   const std::atomic<bool> cancelled{true};
   const Site site(free_area(40.0, 40.0, 0.1));
-  const GoalDistance field(site.checker, {1.0, 1.0, 0.0}, {39.0, 39.0, 0.0}, kFar, Interrupt(&cancelled));
+  const GoalDistance field({site.checker, {1.0, 1.0, 0.0}, {39.0, 39.0, 0.0}, Interrupt(&cancelled)}, kFar);
   EXPECT_FALSE(field.reaches_start());
 }
 

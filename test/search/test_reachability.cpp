@@ -24,10 +24,11 @@ struct Proofs
 
 Proofs proofs(const Site& site, const Pose& start, const Pose& goal, double cell = kCell)
 {
-  const GoalDistance distance(site.checker, start, goal, kSlack, {});
-  return {distance.reaches_start(), may_be_reachable(site.checker, distance, start, goal, cell, Proof::quick, {}),
-          may_be_reachable(site.checker, distance, start, goal, cell, Proof::sharp, {}),
-          HolonomicDistance(site.checker, start, goal, cell, kSlack, {}).reaches_start()};
+  const SearchProblem problem = {site.checker, start, goal};
+  const GoalDistance distance(problem, kSlack);
+  return {distance.reaches_start(), may_be_reachable(problem, distance, cell, Proof::quick),
+          may_be_reachable(problem, distance, cell, Proof::sharp),
+          HolonomicDistance(problem, cell, kSlack).reaches_start()};
 }
 
 void expect_maybe(const Site& site, const Pose& start, const Pose& goal, double cell = kCell)
@@ -53,7 +54,7 @@ Path search_for_path(const Site& site, const PlanRequest& request)
   SearchOptions options;
   options.max_expansions = 100;
   const auto straight = [&](const Pose& pose) { return distance(pose, request.goal); };
-  return hybrid_astar(site.checker, site.robot, options, request, straight, {}).path;
+  return hybrid_astar({site.checker, request.start, request.goal}, options, request.modes, straight).path;
 }
 
 /// The grid in which every cell is occupied that leaves the robot room to drive the path.
@@ -210,9 +211,10 @@ TEST(AProofOfUnreachability, IsGivenWhereTheRobotHasToTurnAndCannot)
     if (!narrow.checker.is_free(start)) continue;
     expect_maybe(narrow, start, same);
     expect_maybe(with_bay, start, other);
-    const GoalDistance distance(narrow.checker, start, other, kSlack, {});
+    const SearchProblem problem = {narrow.checker, start, other};
+    const GoalDistance distance(problem, kSlack);
     for (Proof proof : {Proof::quick, Proof::sharp})
-      EXPECT_FALSE(may_be_reachable(narrow.checker, distance, start, other, kCell, proof, {})) << text(other);
+      EXPECT_FALSE(may_be_reachable(problem, distance, kCell, proof)) << text(other);
   }
 }
 
@@ -222,24 +224,24 @@ TEST(AProofOfUnreachability, IsNotGivenWhenInterrupted)
   OccupancyGrid grid = free_area(30.0, 12.0, 0.1);
   occupy_block(grid, 150, 0, 1, 120);
   const Site site(grid);
-  const Pose start = {1.0, 6.0, 0.0}, goal = {29.0, 6.0, 0.0};
-  const GoalDistance distance(site.checker, start, goal, kSlack, {});
   const std::atomic<bool> cancelled{true};
-  const Interrupt at_once(&cancelled);
+  const SearchProblem problem = {site.checker, {1.0, 6.0, 0.0}, {29.0, 6.0, 0.0}};
+  const SearchProblem at_once = {problem.checker, problem.start, problem.goal, Interrupt(&cancelled)};
+  const GoalDistance distance(problem, kSlack);
   for (Proof proof : {Proof::quick, Proof::sharp})
   {
-    EXPECT_TRUE(may_be_reachable(site.checker, distance, start, goal, kCell, proof, at_once));
-    EXPECT_FALSE(may_be_reachable(site.checker, distance, start, goal, kCell, proof, {}));
+    EXPECT_TRUE(may_be_reachable(at_once, distance, kCell, proof));
+    EXPECT_FALSE(may_be_reachable(problem, distance, kCell, proof));
   }
-  EXPECT_TRUE(HolonomicDistance(site.checker, start, goal, kCell, kSlack, at_once).reaches_start());
-  EXPECT_FALSE(HolonomicDistance(site.checker, start, goal, kCell, kSlack, {}).reaches_start());
+  EXPECT_TRUE(HolonomicDistance(at_once, kCell, kSlack).reaches_start());
+  EXPECT_FALSE(HolonomicDistance(problem, kCell, kSlack).reaches_start());
 }
 
 TEST(HolonomicDistance, IsNothingAtTheGoalAndAboutTheStraightLineInTheOpen)
 {
   const Site site(free_area(8.0, 8.0, 0.05));
   const Pose goal = {4.0, 4.0, 0.5};
-  const HolonomicDistance field(site.checker, {1.0, 1.0, 0.5}, goal, kCell, kSlack, {});
+  const HolonomicDistance field({site.checker, {1.0, 1.0, 0.5}, goal}, kCell, kSlack);
   EXPECT_EQ(field(goal), 0.0);
   EXPECT_TRUE(field.reaches_start());
   Random random(kSeed);
@@ -256,7 +258,7 @@ TEST(HolonomicDistance, ChargesForTurning)
 {
   const Site site(free_area(6.0, 6.0, 0.05));
   const Pose goal = {3.0, 3.0, 0.0};
-  const HolonomicDistance field(site.checker, {1.5, 1.5, 0.0}, goal, kCell, kSlack, {});
+  const HolonomicDistance field({site.checker, {1.5, 1.5, 0.0}, goal}, kCell, kSlack);
   EXPECT_GT(field({3.0, 3.0, M_PI_2}), field({3.0, 3.0, M_PI_4}));
   EXPECT_GT(field({3.0, 3.0, M_PI_4}), 0.0);
   EXPECT_NEAR(field({3.0, 3.0, M_PI_2}), field({3.0, 3.0, -M_PI_2}), 2.0 * kCell);

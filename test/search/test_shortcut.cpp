@@ -27,7 +27,7 @@ struct Shortcutter
 
   Path operator()(const Path& path, const Interrupt& interrupt = {}) const
   {
-    return shortcut(site.checker, curves, cost, path, modes.first(), interrupt);
+    return shortcut(site.checker, curves, path, interrupt);
   }
   double cost_of(const Path& path) const { return fourwis::cost_of(path.pieces, modes.first(), cost); }
 
@@ -78,9 +78,10 @@ struct Shortcut : testing::Test
       const PlanRequest request = {free_pose(random, site.checker), free_pose(random, site.checker), modes};
       SearchOptions options;
       options.max_expansions = 600;
-      const GoalDistance distance(site.checker, request.start, request.goal, 4.0, {});
+      const SearchProblem problem = {site.checker, request.start, request.goal};
+      const GoalDistance distance(problem, 4.0);
       const auto around = [&](const Pose& pose) { return distance(pose.x, pose.y); };
-      const Path path = hybrid_astar(site.checker, site.robot, options, request, around, {}).path;
+      const Path path = hybrid_astar(problem, options, modes, around).path;
       if (path.pieces.empty()) continue;
       ++found;
       visit(shortcutter, request, path);

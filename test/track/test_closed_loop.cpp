@@ -63,7 +63,7 @@ TEST(ClosedLoop, EnvironmentsAreDrivenAsPlanned)
     const Robot robot;
     const PlannerOptions options;
     const PlanResult plan =
-        Planner(robot, options).plan(World(grid, robot, options), {environment.start, environment.goal, {}});
+        Planner(options).plan(World(grid, robot, options), {environment.start, environment.goal, {}});
     ASSERT_EQ(plan.status, PlanStatus::succeeded) << plan.message;
 
     const ExactRectangle footprint(grid, robot);

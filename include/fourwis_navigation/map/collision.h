@@ -43,6 +43,7 @@ public:
   double least_clearance() const { return least_clearance_; }
 
   const ObstacleMap& map() const { return map_; }
+  const Robot& robot() const { return robot_; }
 
   /// Two discs whose centres keep `radius` at every pose found free.
   const TwoDiscs& discs() const { return needed_; }

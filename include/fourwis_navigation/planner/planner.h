@@ -30,7 +30,7 @@ struct PlannerOptions
 /// Throws std::invalid_argument, with a sentence, where options contradict each other.
 void check(const PlannerOptions& options);
 
-/// What the stages leave behind for somebody who wants to look at them; filled only when asked for.
+/// What the stages leave behind, for pictures and markers; filled only when asked for.
 struct PlanTrace
 {
   std::vector<Pose> expanded;                        ///< nodes of the first search in the order of expansion
@@ -59,23 +59,28 @@ private:
         std::chrono::steady_clock::time_point begin);
 };
 
-/// grid -> search -> paths -> segments -> corridors <-> optimisation -> trajectory -> referee. Deterministic: same input, same output; only an Interrupt depends on
-/// the clock. One planner may be used from several threads.
+/// grid -> search -> paths -> segments -> corridors <-> optimisation -> trajectory -> referee. Deterministic: same input,
+/// same output, with any number of threads; only an Interrupt depends on the clock. One planner may be used from
+/// several threads.
 class Planner
 {
 public:
-  Planner(const Robot& robot, const PlannerOptions& options);  ///< throws as check() does
+  /// Each plan works in as many threads as there are processors. Throws as check() does.
+  explicit Planner(const PlannerOptions& options);
 
-  /// Never throws on a request, whatever is in it.
+  /// Each plan works in at most so many threads, the caller's included. Throws std::invalid_argument also where that is
+  /// less than 1.
+  Planner(const PlannerOptions& options, int threads);
+
+  /// Plans for the world's robot. Never throws on a request, whatever is in it.
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
                   PlanTrace* trace = nullptr) const;
 
-  const Robot& robot() const { return robot_; }
   const PlannerOptions& options() const { return options_; }
 
 private:
-  Robot robot_;
   PlannerOptions options_;
+  int threads_;
 };
 
 }  // namespace fourwis

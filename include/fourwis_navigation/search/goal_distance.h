@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/model/pose.h"
+#include "fourwis_navigation/search/search_problem.h"
 
 namespace fourwis
 {
@@ -55,8 +55,7 @@ class GoalDistance
 public:
   /// Computes the field out to `slack` metres beyond the first path to the start; where there is none, over all that the
   /// goal reaches. Stops early, with a field of no use, when interrupted.
-  GoalDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double slack,
-               const Interrupt& interrupt);
+  GoalDistance(const SearchProblem& problem, double slack);
 
   /// Distance to the goal from the cell of a point [m], shortened by what 8-connected paths are too long at most (8.24 %)
   /// and by the size of a cell; infinite where there is no way to the goal, and a lower bound beyond the field's edge.

@@ -3,9 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "fourwis_navigation/map/collision.h"
-#include "fourwis_navigation/model/interrupt.h"
 #include "fourwis_navigation/search/goal_distance.h"
+#include "fourwis_navigation/search/search_problem.h"
 
 namespace fourwis
 {
@@ -18,8 +17,7 @@ class HolonomicDistance
 public:
   /// Computes the field until the start is reached and `slack` metres beyond. Stops early, with a field of no use, when
   /// interrupted.
-  HolonomicDistance(const CollisionChecker& checker, const Pose& start, const Pose& goal, double cell_size,
-                    double slack, const Interrupt& interrupt);
+  HolonomicDistance(const SearchProblem& problem, double cell_size, double slack);
 
   /// Distance to the goal [m], turning on the spot charged like driving a cell for each bin of heading.
   double operator()(const Pose& pose) const;

@@ -7,6 +7,7 @@
 #include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/holonomic_distance.h"
 #include "fourwis_navigation/search/hybrid_astar.h"
+#include "fourwis_navigation/search/search_problem.h"
 
 namespace fourwis
 {
@@ -20,25 +21,21 @@ enum class Effort
 
 /// The front end, the paper's section III-A, for one start and goal: distance to the goal and proof of unreachability
 /// once, then any number of searches with different modes and costs, also at the same time from several threads.
-class FrontEnd
+class Search
 {
 public:
-  /// Keeps references to checker and robot. Start and goal must be free.
-  FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
-           const Interrupt& interrupt);
+  explicit Search(const SearchProblem& problem);
 
   /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null.
-  SearchResult find(const SearchOptions& options, const ModeSet& modes, Effort effort, const Interrupt& interrupt,
+  SearchResult find(const SearchOptions& options, const ModeSet& modes, Effort effort = Effort::thorough,
                     std::vector<Pose>* expanded = nullptr) const;
 
 private:
-  void look_closer(const Interrupt& interrupt) const;
-  SearchResult find_thoroughly(const SearchOptions& options, const PlanRequest& request, const Interrupt& interrupt,
-                               std::vector<Pose>* expanded) const;
+  void look_closer() const;
+  SearchResult find_thoroughly(const SearchOptions& options, const ModeSet& modes, std::vector<Pose>* expanded) const;
+  Path shortened(const SearchOptions& options, const ModeSet& modes, Path path) const;
 
-  const CollisionChecker& checker_;
-  const Robot& robot_;
-  const Pose start_, goal_;
+  const SearchProblem problem_;
   const GoalDistance distance_;
   const bool may_be_reachable_;
   mutable std::mutex mutex_;  ///< guards what follows, which is found out when first needed
@@ -48,9 +45,5 @@ private:
 
 /// Whether the modes can bring the robot to the goal's heading: parallel motion alone does not turn.
 bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes);
-
-/// One thorough search.
-SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                       const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded = nullptr);
 
 }  // namespace fourwis

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,20 +54,6 @@ SearchResult failed(PlanStatus status)
   return result;
 }
 
-Path shortened(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-               const PlanRequest& request, Path path, const Interrupt& interrupt)
-{
-  const MotionCost cost(robot, options);
-  const ModeCurves curves(robot, options, cost, request.modes);
-  for (int pass = 0; pass < options.shortcut_passes; ++pass)
-  {
-    const double before = path.cost;
-    path = shortcut(checker, curves, cost, path, request.modes.first(), interrupt);
-    if (path.cost > (1.0 - kLeastShortcutGain) * before) break;
-  }
-  return path;
-}
-
 }  // namespace
 
 bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
@@ -75,59 +61,54 @@ bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
   return can_turn(modes) || std::abs(wrap_angle(goal.theta - start.theta)) <= ModeCurves::kSameHeading;
 }
 
-FrontEnd::FrontEnd(const CollisionChecker& checker, const Robot& robot, const Pose& start, const Pose& goal,
-                   const Interrupt& interrupt)
-  : checker_(checker),
-    robot_(robot),
-    start_(start),
-    goal_(goal),
-    distance_(checker, start, goal, kFieldSlack, interrupt),
-    may_be_reachable_(distance_.reaches_start() && may_be_reachable(checker, distance_, start, goal,
-                                                                    flood_cell(checker.map()), Proof::quick, interrupt))
+Search::Search(const SearchProblem& problem)
+  : problem_(problem),
+    distance_(problem_, kFieldSlack),
+    may_be_reachable_(distance_.reaches_start() &&
+                      may_be_reachable(problem_, distance_, flood_cell(problem_.checker.map()), Proof::quick))
 {}
 
-SearchResult FrontEnd::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
-                            const Interrupt& interrupt, std::vector<Pose>* expanded) const
+SearchResult Search::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
+                          std::vector<Pose>* expanded) const
 {
-  if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
-  if (interrupt.timed_out()) return failed(PlanStatus::timeout);
-  const PlanRequest request{start_, goal_, modes};
-  if (!may_be_reachable_ || !may_turn(start_, goal_, modes)) return failed(PlanStatus::goal_unreachable);
+  if (problem_.interrupt.cancelled()) return failed(PlanStatus::cancelled);
+  if (problem_.interrupt.timed_out()) return failed(PlanStatus::timeout);
+  if (!may_be_reachable_ || !may_turn(problem_.start, problem_.goal, modes))
+    return failed(PlanStatus::goal_unreachable);
 
   SearchOptions quick = options;
   quick.max_expansions = std::min(options.max_expansions, kQuickExpansions);
   const auto around = [&](const Pose& pose) { return distance_(pose.x, pose.y); };
-  SearchResult found = hybrid_astar(checker_, robot_, quick, request, around, interrupt, expanded);
+  SearchResult found = hybrid_astar(problem_, quick, modes, around, expanded);
   if (found.status == PlanStatus::no_path && effort == Effort::thorough)
   {
     SearchOptions rest = options;
     rest.max_expansions -= found.expansions;
     const int expansions = found.expansions;
-    found = find_thoroughly(rest, request, interrupt, expanded);
+    found = find_thoroughly(rest, modes, expanded);
     found.expansions += expansions;
   }
   if (found.status == PlanStatus::succeeded && options.terminal_connection)
-    found.path = shortened(checker_, robot_, options, request, std::move(found.path), interrupt);
+    found.path = shortened(options, modes, std::move(found.path));
   return found;
 }
 
 /// A sharper proof than before the quick search; where it finds none, what guides the thorough search.
-void FrontEnd::look_closer(const Interrupt& interrupt) const
+void Search::look_closer() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (proven_unreachable_ || holonomic_distance_) return;
-  const double cell = flood_cell(checker_.map());
-  proven_unreachable_ = !may_be_reachable(checker_, distance_, start_, goal_, cell, Proof::sharp, interrupt);
-  if (!proven_unreachable_)
-    holonomic_distance_ = std::make_unique<HolonomicDistance>(checker_, start_, goal_, cell, kFieldSlack, interrupt);
+  const double cell = flood_cell(problem_.checker.map());
+  proven_unreachable_ = !may_be_reachable(problem_, distance_, cell, Proof::sharp);
+  if (!proven_unreachable_) holonomic_distance_ = std::make_unique<HolonomicDistance>(problem_, cell, kFieldSlack);
 }
 
-SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanRequest& request,
-                                       const Interrupt& interrupt, std::vector<Pose>* expanded) const
+SearchResult Search::find_thoroughly(const SearchOptions& options, const ModeSet& modes,
+                                     std::vector<Pose>* expanded) const
 {
-  look_closer(interrupt);
-  if (interrupt.cancelled()) return failed(PlanStatus::cancelled);
-  if (interrupt.timed_out()) return failed(PlanStatus::timeout);
+  look_closer();
+  if (problem_.interrupt.cancelled()) return failed(PlanStatus::cancelled);
+  if (problem_.interrupt.timed_out()) return failed(PlanStatus::timeout);
   if (proven_unreachable_ || !holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
   SearchOptions halved = options;
   SearchResult found = failed(PlanStatus::no_path);
@@ -135,18 +116,25 @@ SearchResult FrontEnd::find_thoroughly(const SearchOptions& options, const PlanR
   {
     halved = finer(halved);
     const int before = found.expansions;
-    found = hybrid_astar(checker_, robot_, halved, request, std::cref(*holonomic_distance_), interrupt, expanded);
+    found = hybrid_astar(problem_, halved, modes, std::cref(*holonomic_distance_), expanded);
     halved.max_expansions -= found.expansions;
     found.expansions += before;
   }
   return found;
 }
 
-SearchResult find_path(const CollisionChecker& checker, const Robot& robot, const SearchOptions& options,
-                       const PlanRequest& request, const Interrupt& interrupt, std::vector<Pose>* expanded)
+Path Search::shortened(const SearchOptions& options, const ModeSet& modes, Path path) const
 {
-  return FrontEnd(checker, robot, request.start, request.goal, interrupt)
-      .find(options, request.modes, Effort::thorough, interrupt, expanded);
+  const Robot& robot = problem_.checker.robot();
+  const MotionCost cost(robot, options);
+  const ModeCurves curves(robot, options, cost, modes);
+  for (int pass = 0; pass < options.shortcut_passes; ++pass)
+  {
+    const double before = path.cost;
+    path = shortcut(problem_.checker, curves, path, problem_.interrupt);
+    if (path.cost > (1.0 - kLeastShortcutGain) * before) break;
+  }
+  return path;
 }
 
 }  // namespace fourwis

@@ -1,4 +1,4 @@
-#include "planner/certificate.h"
+#include "planner/certifier.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ double sampled_clearance(const ObstacleMap& map, const std::vector<DiscCover>& c
   return least;
 }
 
-TEST(Certificate, FindsTheLeastClearanceOfRandomMotions)
+TEST(CertifierTest, FindsTheLeastClearanceOfRandomMotions)
 {
   const Robot robot;
   Random random(kSeed);
@@ -52,7 +52,7 @@ TEST(Certificate, FindsTheLeastClearanceOfRandomMotions)
     const Mode mode = random.mode();
     const PathPiece piece = {mode, {3.0, 3.0, random.angle()}, random.steering(robot, mode), random.between(-1.0, 1.0)};
     const Path path = {{piece}, advance(robot, piece.start, mode, piece.phi, piece.length), 0.0};
-    const Certificate certificate = certify(map, {discs}, robot, stop_and_steer(path, robot, 1.0));
+    const Certificate certificate = Certifier(map, robot, {discs}).certify(stop_and_steer(path, robot, 1.0));
     const double found = certificate.least_clearance();
     const double sampled = sampled_clearance(map, {discs}, robot, piece);
     EXPECT_LE(found, sampled + 0.0015);
@@ -63,7 +63,7 @@ TEST(Certificate, FindsTheLeastClearanceOfRandomMotions)
   }
 }
 
-TEST(Certificate, GoesByTheClearestOfSeveralCovers)
+TEST(CertifierTest, GoesByTheClearestOfSeveralCovers)
 {
   const Robot robot;
   Random random(kSeed);
@@ -78,25 +78,26 @@ TEST(Certificate, GoesByTheClearestOfSeveralCovers)
     const PathPiece piece = {mode, {3.0, 3.0, random.angle()}, random.steering(robot, mode), random.between(-0.6, 0.6)};
     const Path path = {{piece}, advance(robot, piece.start, mode, piece.phi, piece.length), 0.0};
     const Trajectory points = stop_and_steer(path, robot, 1.0);
-    const double found = certify(map, covers, robot, points).least_clearance();
+    const double found = Certifier(map, robot, covers).certify(points).least_clearance();
     const double sampled = sampled_clearance(map, covers, robot, piece);
     EXPECT_LE(found, sampled + 0.0015);
     EXPECT_GE(found, std::min(sampled, 0.002) - 0.0015);  // where the first is clear the second is not looked at
-    rescued += found > 0.0 && certify(map, {covers.front()}, robot, points).least_clearance() < 0.0;
+    rescued += found > 0.0 && Certifier(map, robot, {covers.front()}).certify(points).least_clearance() < 0.0;
   }
   EXPECT_GT(rescued, 3) << "motions that only the second cover shows to be clear";
 }
 
-TEST(Certificate, NoticesAPointThatTheMotionMisses)
+TEST(CertifierTest, NoticesAPointThatTheMotionMisses)
 {
   const Robot robot;
   const ObstacleMap map(free_area(6.0, 6.0, 0.1));
   const DiscCover discs = without_margin(disc_cover(robot, 2), robot);
   const Path path = {{{Mode::ackermann, {2.0, 3.0, 0.0}, 0.2, 1.0}}, {}, 0.0};
   Trajectory points = stop_and_steer(path, robot, 1.0);
-  EXPECT_LT(certify(map, {discs}, robot, points).worst_rollout, 1e-6);
+  const Certifier certifier(map, robot, {discs});
+  EXPECT_LT(certifier.certify(points).worst_rollout, 1e-6);
   points[points.size() / 2].y += 0.007;
-  EXPECT_NEAR(certify(map, {discs}, robot, points).worst_rollout, 0.007, 1e-5);
+  EXPECT_NEAR(certifier.certify(points).worst_rollout, 0.007, 1e-5);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/front_end.h"
+#include "fourwis_navigation/search/search.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ struct FrontEnd : testing::Test
   SearchResult find(const Site& site, const PlanRequest& request, const Interrupt& interrupt = {},
                     std::vector<Pose>* expanded = nullptr) const
   {
-    return find_path(site.checker, site.robot, options, request, interrupt, expanded);
+    const Search search({site.checker, request.start, request.goal, interrupt});
+    return search.find(options, request.modes, Effort::thorough, expanded);
   }
 
   /// Visits requests among clutter, for all seven sets of modes.
@@ -177,7 +178,8 @@ TEST_F(LongSearch, IsInterruptedInTheMiddleOfTheSearch)
     cancelled = ++asked > 200;
     return fourwis::distance(pose, request.goal);
   };
-  const SearchResult result = hybrid_astar(site.checker, site.robot, options, request, distance, Interrupt(&cancelled));
+  const SearchProblem problem = {site.checker, request.start, request.goal, Interrupt(&cancelled)};
+  const SearchResult result = hybrid_astar(problem, options, request.modes, distance);
   EXPECT_EQ(result.status, PlanStatus::cancelled);
   EXPECT_GT(result.expansions, 0);
 }

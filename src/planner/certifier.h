@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "fourwis_navigation/map/obstacle_map.h"
+#include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/model/trajectory.h"
+#include "fourwis_navigation/optimize/simpson.h"
+#include "fourwis_navigation/vehicle/footprint.h"
+
+namespace fourwis
+{
+
+/// What is between the knots of an optimised segment, interval by interval.
+struct Certificate
+{
+  std::vector<double> clearance;  ///< least distance of the discs to obstacles [m]; negative in collision. Distances
+                                  ///< beyond some centimetres are not looked at closely
+  double worst_rollout = 0.0;     ///< greatest miss of the next point by the exact motion [m]
+
+  double least_clearance() const
+  {
+    return clearance.empty() ? 0.0 : *std::min_element(clearance.begin(), clearance.end());
+  }
+};
+
+/// Follows the motion between the points of one mode closely enough that no disc centre can come nearer to an obstacle,
+/// between two poses looked at, by more than half a millimetre.
+class Certifier
+{
+public:
+  /// Keeps references to map and robot. Any of the covers (without safety margin) may show a pose to be clear.
+  Certifier(const ObstacleMap& map, const Robot& robot, std::vector<DiscCover> covers);
+
+  Certificate certify(const Trajectory& points) const;
+
+private:
+  double least_clearance(const SimpsonDynamics& dynamics, const TrajectoryPoint& from, const TrajectoryPoint& to) const;
+  double greatest_disc_speed(const TrajectoryPoint& from, const TrajectoryPoint& to) const;
+  double clearance_at(const SimpsonDynamics::State& x) const;
+
+  const ObstacleMap& map_;
+  const Robot& robot_;
+  const std::vector<DiscCover> covers_;
+};
+
+}  // namespace fourwis
