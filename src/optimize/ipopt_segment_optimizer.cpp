@@ -12,13 +12,14 @@ namespace fourwis
 namespace
 {
 
-bool fits(const Segment& segment, const Corridor& corridor, const Trajectory* previous, const std::vector<char>& pinned)
+bool fits(const SegmentTask& task)
 {
+  const Segment& segment = task.segment;
   const std::size_t n = segment.intervals();
-  return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && !corridor.empty() &&
-         std::all_of(corridor.begin(), corridor.end(),
+  return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && !task.corridor.empty() &&
+         std::all_of(task.corridor.begin(), task.corridor.end(),
                      [n](const DiscRegions& disc) { return disc.regions.size() == n; }) &&
-         (!previous || previous->size() == n + 1) && (pinned.empty() || pinned.size() == n + 1) &&
+         (!task.previous || task.previous->size() == n + 1) && (task.pinned.empty() || task.pinned.size() == n + 1) &&
          is_planned(segment.mode);
 }
 
@@ -30,19 +31,19 @@ IpoptSegmentOptimizer::IpoptSegmentOptimizer(const Robot& robot, const OptimizeO
     reference_speed_(reference_speed)
 {}
 
-SegmentSolution IpoptSegmentOptimizer::solve(const Segment& segment, const Corridor& corridor,
-                                             const Trajectory* previous, const std::vector<char>& pinned,
-                                             double tolerance, const Interrupt& interrupt) const
+SegmentSolution IpoptSegmentOptimizer::solve(const SegmentTask& task, double tolerance,
+                                             const Interrupt& interrupt) const
 {
   SegmentSolution result;
   result.message = to_string(NlpStatus::invalid_problem);
-  if (!fits(segment, corridor, previous, pinned)) return result;
+  if (!fits(task)) return result;
 
+  const Segment& segment = task.segment;
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
+  const SegmentProblem problem = segment_problem(task, robot_, options_, limits);
   const OcpNlp<SegmentModel> program(
       problem.model, problem.numbers,
-      previous ? guess_from(*previous) : reference_guess(segment, limits, problem.model.h_ref));
+      task.previous ? guess_from(*task.previous) : reference_guess(segment, limits, problem.model.h_ref));
   IpoptOptions solver_options;
   solver_options.tolerance = tolerance;
   const NlpResult solution = solve_on_ipopt(program.nlp(), solver_options, interrupt);

@@ -40,12 +40,11 @@ SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& op
     reference_speed_(reference_speed)
 {}
 
-SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
-                                        const std::vector<char>& pinned, double tolerance,
-                                        const Interrupt& interrupt) const
+SegmentSolution SegmentOptimizer::solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const
 {
+  const Segment& segment = task.segment;
   const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(segment, corridor, robot_, options_, limits, pinned);
+  const SegmentProblem problem = segment_problem(task, robot_, options_, limits);
 
   const auto interrupted = [&] { return interrupt.cancelled() || interrupt.timed_out(); };
   Solver solver;
@@ -58,12 +57,12 @@ SegmentSolution SegmentOptimizer::solve(const Segment& segment, const Corridor& 
     take(solver.solve(problem.model, problem.numbers, guess, solver_options, nullptr, interrupted), segment.mode,
          result);
   };
-  if (!previous)
+  if (!task.previous)
     try_with(kCold, reference_guess(segment, limits, problem.model.h_ref));
   else
     for (const Effort& effort : kWarm)
     {
-      try_with(effort, guess_from(*previous));
+      try_with(effort, guess_from(*task.previous));
       if (result.solved || interrupted()) break;
     }
   return result;

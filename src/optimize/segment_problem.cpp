@@ -32,32 +32,32 @@ void add_symmetric(SegmentModel::Derivatives& d, int i, int j, double value)
   d.hessian(j, i) += value;
 }
 
-void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentModel& model,
-              Problem& problem)
+void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentProblem& problem)
 {
   for (const HalfPlane& plane : region)
   {
-    model.disc_rows.push_back({plane, centre});
-    problem.add_row(knot, {plane.c, weight});
+    problem.model.disc_rows.push_back({plane, centre});
+    problem.numbers.add_row(knot, {plane.c, weight});
   }
 }
 
 /// The wheels' rows and the way's of each interval, and those of the inner knots: each is bound by the regions of both
 /// its intervals.
-void set_rows(const Segment& segment, const Corridor& corridor, double weight, SegmentModel& model, Problem& problem)
+void set_rows(const SegmentTask& task, double weight, SegmentProblem& problem)
 {
-  const std::size_t n = segment.intervals();
+  SegmentModel& model = problem.model;
+  const std::size_t n = task.segment.intervals();
   model.disc_rows.clear();
   model.first_row.assign(n + 1, 0);
   for (std::size_t k = 0; k < n; ++k)
   {
-    for (int i = 0; i < WheelRateRows::kRows; ++i) problem.add_row(static_cast<int>(k), {0.0});
-    problem.add_row(static_cast<int>(k), {0.0, weight});
+    for (int i = 0; i < WheelRateRows::kRows; ++i) problem.numbers.add_row(static_cast<int>(k), {0.0});
+    problem.numbers.add_row(static_cast<int>(k), {0.0, weight});
     model.first_row[k] = model.disc_rows.size();
     if (k == 0) continue;
     for (std::size_t interval : {k - 1, k})
-      for (const DiscRegions& disc : corridor)
-        add_rows(disc.regions[interval], disc.centre, static_cast<int>(k), weight, model, problem);
+      for (const DiscRegions& disc : task.corridor)
+        add_rows(disc.regions[interval], disc.centre, static_cast<int>(k), weight, problem);
   }
 }
 
@@ -68,10 +68,12 @@ bool is_sharp(const Segment& segment, std::size_t knot, double steering_rate, do
          std::abs(segment.phi[knot] - segment.phi[knot - 1]) > steering_rate * longest;
 }
 
-void set_bounds(const Segment& segment, const MotionLimits& limits, const OptimizeOptions& options, double travel,
-                double h_ref, const std::vector<char>& pinned, Problem& problem)
+void set_bounds(const SegmentTask& task, const MotionLimits& limits, const OptimizeOptions& options, double travel,
+                SegmentProblem& problem)
 {
+  const Segment& segment = task.segment;
   const std::size_t n = segment.intervals();
+  const double h_ref = problem.model.h_ref;
   // From rest to rest over a short way there is no time to reach the speed that h_ref stands for.
   const double ramp = limits.speed * limits.speed / limits.acceleration;
   const double room = std::sqrt(std::min(travel, ramp) / limits.acceleration);
@@ -82,9 +84,9 @@ void set_bounds(const Segment& segment, const MotionLimits& limits, const Optimi
   };
   for (std::size_t k = 0; k <= n; ++k)
   {
-    const double speed = !pinned.empty() && pinned[k] ? kStandstill : limits.speed;
+    const double speed = !task.pinned.empty() && task.pinned[k] ? kStandstill : limits.speed;
     const bool slow = takes_time(k) || (k < n && takes_time(k + 1));
-    Bounds& bounds = problem.bounds[k];
+    Bounds& bounds = problem.numbers.bounds[k];
     bounds.upper.tail<5>() << speed, limits.angle, limits.acceleration, limits.fastest_steering,
         slow ? longest_at_rest : longest;
     bounds.lower.tail<5>() = -bounds.upper.tail<5>();
@@ -172,10 +174,10 @@ void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipli
   }
 }
 
-SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits,
-                               const std::vector<char>& pinned)
+SegmentProblem segment_problem(const SegmentTask& task, const Robot& robot, const OptimizeOptions& options,
+                               const MotionLimits& limits)
 {
+  const Segment& segment = task.segment;
   const std::size_t n = segment.intervals();
   double length = 0.0;
   for (double piece : segment.length) length += std::abs(piece);
@@ -192,8 +194,8 @@ SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor,
   numbers.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;
   numbers.terminal_fixed = {true, true, true, true, false};
-  set_bounds(segment, limits, options, length, problem.model.h_ref, pinned, numbers);
-  set_rows(segment, corridor, options.corridor_weight, problem.model, numbers);
+  set_bounds(task, limits, options, length, problem);
+  set_rows(task, options.corridor_weight, problem);
   return problem;
 }
 

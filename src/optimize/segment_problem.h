@@ -11,6 +11,7 @@
 #include "fourwis_navigation/ocp/model.h"
 #include "fourwis_navigation/ocp/problem.h"
 #include "fourwis_navigation/optimize/optimize_options.h"
+#include "fourwis_navigation/optimize/segment_optimizer.h"
 #include "fourwis_navigation/optimize/simpson.h"
 #include "motion_limits.h"
 #include "wheel_rate_rows.h"
@@ -55,10 +56,8 @@ struct SegmentProblem
   ocp::Problem<5, 3> numbers;
 };
 
-/// v = 0 at the knots that `pinned` marks (one per knot, or none).
-SegmentProblem segment_problem(const Segment& segment, const Corridor& corridor, const Robot& robot,
-                               const OptimizeOptions& options, const MotionLimits& limits,
-                               const std::vector<char>& pinned);
+SegmentProblem segment_problem(const SegmentTask& task, const Robot& robot, const OptimizeOptions& options,
+                               const MotionLimits& limits);
 
 /// The reference driven at the reference speed, paper eq. (21); `h_ref` seconds for each interval.
 ocp::Trajectory<5, 3> reference_guess(const Segment& segment, const MotionLimits& limits, double h_ref);

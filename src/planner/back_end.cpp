@@ -16,9 +16,8 @@ namespace fourwis
 /// A path between two switches.
 struct PathPart
 {
-  Path path;  ///< its pieces
-  std::vector<Segment>
-      references;  ///< at the wanted spacing, at half of it, ...; none where there is nothing to optimise
+  Path path;                        ///< its pieces
+  std::vector<Segment> references;  ///< with knots at the wanted spacing, at half of it, ...; none: nothing to optimise
 
   /// Driven with the wheels held still: accelerating, cruising and braking on it cannot be improved upon. At full lock
   /// there is not even any other motion between its ends.

@@ -120,8 +120,9 @@ RefinedSegment SegmentRefiner::refine(const Segment& reference) const
     PolytopeCorridor regions = corridor(discs_, attempt.around, attempt.shrink);
     if (regions.status != CorridorStatus::succeeded) return give_up(std::move(result), regions.message);
     const bool rough = round < options_.outer_iterations;
-    SegmentSolution solution = solve(reference, regions.regions, round == 1 ? nullptr : &result.points(),
-                                     attempt.pinned, rough ? kRoughTolerance : kFineTolerance);
+    const Trajectory* previous = round == 1 ? nullptr : &result.points();
+    SegmentSolution solution =
+        solve({reference, regions.regions, previous, attempt.pinned}, rough ? kRoughTolerance : kFineTolerance);
     result.solver_iterations += solution.iterations;
     result.rounds.push_back({std::move(regions.regions), std::move(solution.points)});
     if (!solution.solved)
@@ -145,8 +146,8 @@ bool SegmentRefiner::polish(std::vector<RefinementRound>& rounds, int& solver_it
   const HalvedSegment halved(context_.robot(), rounds.back().points);
   PolytopeCorridor regions = corridor(fine_discs_, halved.reference.knots, {});
   if (regions.status != CorridorStatus::succeeded) return false;
-  SegmentSolution solution = solve(halved.reference, near_edges(regions.regions, halved.points, kPolishReach),
-                                   &halved.points, {}, kFineTolerance);
+  const Corridor near = near_edges(regions.regions, halved.points, kPolishReach);
+  SegmentSolution solution = solve({halved.reference, near, &halved.points}, kFineTolerance);
   solver_iterations += solution.iterations;
   if (!solution.solved || solution.points.back().t >= rounds.back().points.back().t) return false;
   const Certificate certificate = fine_certifier_.certify(solution.points);
@@ -163,12 +164,10 @@ PolytopeCorridor SegmentRefiner::corridor(const DiscCover& discs, const std::vec
   return polytope_corridor(context_.world.rectangles, discs, options, knots, shrink);
 }
 
-SegmentSolution SegmentRefiner::solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
-                                      const std::vector<char>& pinned, double tolerance) const
+SegmentSolution SegmentRefiner::solve(const SegmentTask& task, double tolerance) const
 {
-  if (options_.solver == NlpSolver::ipopt)
-    return ipopt_.solve(reference, corridor, previous, pinned, tolerance, context_.interrupt);
-  return structured_.solve(reference, corridor, previous, pinned, tolerance, context_.interrupt);
+  if (options_.solver == NlpSolver::ipopt) return ipopt_.solve(task, tolerance, context_.interrupt);
+  return structured_.solve(task, tolerance, context_.interrupt);
 }
 
 /// Sets `solved` when no disc comes too close between the knots. Where one does, makes the robot stop at a cusp beside the

@@ -46,8 +46,7 @@ private:
 
   PolytopeCorridor corridor(const DiscCover& discs, const std::vector<Pose>& knots,
                             const std::vector<double>& shrink) const;
-  SegmentSolution solve(const Segment& reference, const Corridor& corridor, const Trajectory* previous,
-                        const std::vector<char>& pinned, double tolerance) const;
+  SegmentSolution solve(const SegmentTask& task, double tolerance) const;
   bool is_certified(Attempt& attempt, RefinedSegment& result) const;
 
   const PlanContext context_;

@@ -74,7 +74,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
   double improved_duration(const Segment& segment, const Corridor& corridor, const Trajectory& points) const
   {
     const MotionLimits limits(robot, segment.mode, kSpeed);
-    const SegmentProblem problem = segment_problem(segment, corridor, robot, options, limits, {});
+    const SegmentProblem problem = segment_problem({segment, corridor}, robot, options, limits);
     const OcpNlp<SegmentModel> program(problem.model, problem.numbers, guess_from(points));
     IpoptOptions nearby;
     nearby.tolerance = kTolerance;
@@ -89,7 +89,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
   {
     Straight problem;
     change(problem);
-    const SegmentSolution solution = ipopt.solve(problem.segment, problem.corridor, nullptr, {}, kTolerance, {});
+    const SegmentSolution solution = ipopt.solve({problem.segment, problem.corridor}, kTolerance, {});
     EXPECT_FALSE(solution.solved);
     EXPECT_EQ(solution.message, message);
   }
@@ -105,8 +105,8 @@ TEST_F(IpoptSegmentOptimizerTest, TakesAsLongAsTheStructuredSolver)
   std::array<int, 4> solved = {};
   int count = 0, both = 0, same = 0;
   for_segments(70, [&](const Segment& segment, const Corridor& corridor) {
-    const SegmentSolution one = structured.solve(segment, corridor, nullptr, {}, kTolerance, {});
-    const SegmentSolution other = ipopt.solve(segment, corridor, nullptr, {}, kTolerance, {});
+    const SegmentSolution one = structured.solve({segment, corridor}, kTolerance, {});
+    const SegmentSolution other = ipopt.solve({segment, corridor}, kTolerance, {});
     ++count;
     if (!one.solved || !other.solved) return;
     ++both;
@@ -125,15 +125,15 @@ TEST_F(IpoptSegmentOptimizerTest, AgreesAboutStopsAndAboutEarlierSolutions)
 {
   const Straight problem;
   const std::vector<char> stop = {0, 0, 0, 1, 0, 0};
-  const SegmentSolution free = ipopt.solve(problem.segment, problem.corridor, nullptr, {}, kTolerance, {});
-  const SegmentSolution one = structured.solve(problem.segment, problem.corridor, nullptr, stop, kTolerance, {});
-  const SegmentSolution other = ipopt.solve(problem.segment, problem.corridor, nullptr, stop, kTolerance, {});
+  const SegmentSolution free = ipopt.solve({problem.segment, problem.corridor}, kTolerance, {});
+  const SegmentSolution one = structured.solve({problem.segment, problem.corridor, nullptr, stop}, kTolerance, {});
+  const SegmentSolution other = ipopt.solve({problem.segment, problem.corridor, nullptr, stop}, kTolerance, {});
   ASSERT_TRUE(free.solved && one.solved && other.solved) << free.message << one.message << other.message;
   EXPECT_NEAR(duration(one), duration(other), kSameDuration);
   EXPECT_GT(duration(other), duration(free) + 0.1);
   EXPECT_NEAR(other.points[3].v, 0.0, 0.01);
 
-  const SegmentSolution again = ipopt.solve(problem.segment, problem.corridor, &free.points, {}, kTolerance, {});
+  const SegmentSolution again = ipopt.solve({problem.segment, problem.corridor, &free.points}, kTolerance, {});
   EXPECT_TRUE(again.solved);
   EXPECT_NEAR(duration(again), duration(free), kSameDuration);
 }
@@ -162,8 +162,7 @@ TEST_F(IpoptSegmentOptimizerTest, IsNotSolvedWhereTheGoalIsOutOfReachOrItIsInter
 
   const Straight problem;
   const std::atomic<bool> cancelled{true};
-  const SegmentSolution stopped =
-      ipopt.solve(problem.segment, problem.corridor, nullptr, {}, kTolerance, Interrupt(&cancelled));
+  const SegmentSolution stopped = ipopt.solve({problem.segment, problem.corridor}, kTolerance, Interrupt(&cancelled));
   EXPECT_FALSE(stopped.solved);
   EXPECT_EQ(stopped.message, "interrupted");
   EXPECT_EQ(stopped.points.size(), problem.segment.knots.size());

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 
 namespace fourwis
@@ -16,8 +14,7 @@ public:
   IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
   /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense is not solved.
-  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
-                        const std::vector<char>& pinned, double tolerance, const Interrupt& interrupt) const;
+  SegmentSolution solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const;
 
 private:
   const Robot& robot_;

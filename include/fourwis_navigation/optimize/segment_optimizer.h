@@ -13,6 +13,16 @@
 namespace fourwis
 {
 
+/// What is to be solved.
+struct SegmentTask
+{
+  const Segment& segment;    ///< the reference
+  const Corridor& corridor;  ///< with a region for each of its intervals
+  const Trajectory* previous =
+      nullptr;                    ///< where it is not null: as many points, to begin from instead of the reference
+  std::vector<char> pinned = {};  ///< the knots at which the robot stops (one per knot, or none)
+};
+
 /// What became of one solve. `points` begin at t = 0 and are the solver's knots; they are filled also where it did not
 /// converge, as the start of another try.
 struct SegmentSolution
@@ -37,10 +47,8 @@ class SegmentOptimizer
 public:
   SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
-  /// Solves from the reference, or from `previous` with as many points where it is not null, to `tolerance`. The robot stops at
-  /// the knots that `pinned` marks (one per knot, or none).
-  SegmentSolution solve(const Segment& segment, const Corridor& corridor, const Trajectory* previous,
-                        const std::vector<char>& pinned, double tolerance, const Interrupt& interrupt) const;
+  /// Solves to `tolerance`.
+  SegmentSolution solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const;
 
 private:
   const Robot& robot_;

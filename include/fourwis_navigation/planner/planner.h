@@ -72,7 +72,7 @@ public:
   /// less than 1.
   Planner(const PlannerOptions& options, int threads);
 
-  /// Plans for the world's robot. Never throws on a request, whatever is in it.
+  /// Plans for the world's robot. Never throws on a request.
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
                   PlanTrace* trace = nullptr) const;
 

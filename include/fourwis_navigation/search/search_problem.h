@@ -7,7 +7,7 @@
 namespace fourwis
 {
 
-/// What stays the same for all searches of a plan, whatever their modes and costs.
+/// What stays the same for all searches of a plan; their modes and costs differ.
 struct SearchProblem
 {
   const CollisionChecker& checker;  ///< the robot on its map; must outlive the problem
