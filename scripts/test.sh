@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
 "$root/scripts/install_dependencies.sh" build exec test
-"$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON all tests
+"$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON -DFOURWIS_WERROR=ON all tests benchmarks
 
 source "$root/scripts/environment.sh"
 export ROS_HOME=$build/ros_home

@@ -110,7 +110,7 @@ void write_iterations(std::ostream& out, const Page& page, const PlanPicture& pi
   {
     std::vector<Point> points;
     for (const TrajectoryPoint& point : iteration) points.push_back({point.x, point.y});
-    darkness += 0.9 / picture.iterations.size();
+    darkness += 0.9 / static_cast<double>(picture.iterations.size());
     out << "<path class=\"iteration\" d=\"" << polyline(page, points, false) << "\" fill=\"none\" stroke=\""
         << kIterationColour << "\" stroke-opacity=\"" << darkness << "\" stroke-width=\"1\"/>\n";
   }

@@ -177,9 +177,9 @@ std::uint16_t PowerStage::statusword() const
   const bool stops = state_ == PowerState::quick_stop_active || (is_powered() && is_halted());
   if (stops && setpoints_.at_rest()) word |= kTargetReached;
   if (mode() == mode_of_operation::kHoming) return word | homing_.status();
-  if (state_ == PowerState::operation_enabled)
-    word |= setpoints_.status(measured_) & (is_halted() ? ~kFollows & ~kTargetReached : 0xFFFF);
-  return word;
+  if (state_ != PowerState::operation_enabled) return word;
+  const int hidden = is_halted() ? kFollows | kTargetReached : 0;
+  return static_cast<std::uint16_t>(word | (setpoints_.status(measured_) & ~hidden));
 }
 
 void PowerStage::publish()

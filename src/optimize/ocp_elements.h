@@ -20,7 +20,7 @@ public:
   static constexpr int NX = Model::kStates, NZ = Model::kStates + Model::kControls;
 
   /// Keeps a reference to the model. `first` is the index of the first component of x_k.
-  StageElement(const Model& model, int k, int first) : NlpElement(indices(first), NX), model_(model), k_(k)
+  StageElement(const Model& model, std::size_t k, int first) : NlpElement(indices(first), NX), model_(model), k_(k)
   {
     jacobian_pattern.rightCols(NX).matrix() = Pattern::Constant(NX, NX, false).matrix();
     jacobian_pattern.rightCols(NX).matrix().diagonal().setConstant(true);
@@ -69,7 +69,7 @@ private:
   }
 
   const Model& model_;
-  const int k_;
+  const std::size_t k_;
 };
 
 /// The terminal cost, of x_N.
@@ -107,7 +107,7 @@ public:
   static constexpr int NQ = Model::kRowPoint;
 
   /// `point` are the indices of q, which may be fewer than NQ at k = N; `excess` those of e, -1 for a hard row.
-  RowsElement(const Model& model, int k, const std::vector<int>& point, const std::vector<int>& excess,
+  RowsElement(const Model& model, std::size_t k, const std::vector<int>& point, const std::vector<int>& excess,
               const std::vector<ocp::RowLimit>& limits)
     : NlpElement(joined(point, excess), static_cast<Eigen::Index>(limits.size())),
       model_(model),
@@ -177,7 +177,7 @@ private:
   }
 
   const Model& model_;
-  const int k_;
+  const std::size_t k_;
   const Eigen::Index point_size_;
   const std::vector<ocp::RowLimit> limits_;
   std::vector<Eigen::Index> excess_column_;

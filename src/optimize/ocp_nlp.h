@@ -22,14 +22,13 @@ public:
 
   OcpNlp(const Model& model, const Problem& problem, const Trajectory& guess) : intervals_(problem.intervals())
   {
-    for (int k = 0; k <= intervals_; ++k) add_variables(problem, guess, k);
-    for (int k = 0; k < intervals_; ++k)
-      nlp_.elements.push_back(std::make_unique<StageElement<Model>>(model, k, k * NZ));
+    for (std::size_t k = 0; k <= intervals_; ++k) add_variables(problem, guess, k);
+    for (std::size_t k = 0; k < intervals_; ++k)
+      nlp_.elements.push_back(std::make_unique<StageElement<Model>>(model, k, first_variable(k)));
     nlp_.elements.push_back(std::make_unique<TerminalElement<Model>>(model, leading(intervals_, NX)));
     auto limit = problem.rows.begin();
-    for (int k = 0; k <= intervals_; limit += problem.row_counts[static_cast<std::size_t>(k)], ++k)
-      if (problem.row_counts[static_cast<std::size_t>(k)] > 0)
-        add_rows(model, k, {limit, limit + problem.row_counts[static_cast<std::size_t>(k)]});
+    for (std::size_t k = 0; k <= intervals_; limit += problem.row_counts[k], ++k)
+      if (problem.row_counts[k] > 0) add_rows(model, k, {limit, limit + problem.row_counts[k]});
   }
 
   const Nlp& nlp() const { return nlp_; }
@@ -38,11 +37,10 @@ public:
   Trajectory trajectory(const std::vector<double>& x) const
   {
     Trajectory result;
-    for (int k = 0; k <= intervals_; ++k)
+    for (std::size_t k = 0; k <= intervals_; ++k)
     {
-      result.states.emplace_back(Eigen::Map<const ocp::Vector<NX>>(&x[static_cast<std::size_t>(k * NZ)]));
-      if (k < intervals_)
-        result.controls.emplace_back(Eigen::Map<const ocp::Vector<NU>>(&x[static_cast<std::size_t>(k * NZ + NX)]));
+      result.states.emplace_back(Eigen::Map<const ocp::Vector<NX>>(&x[k * NZ]));
+      if (k < intervals_) result.controls.emplace_back(Eigen::Map<const ocp::Vector<NU>>(&x[k * NZ + NX]));
     }
     return result;
   }
@@ -50,7 +48,7 @@ public:
   /// Greatest excess of a row.
   double greatest_excess(const std::vector<double>& x) const
   {
-    const auto first = x.begin() + intervals_ * NZ + NX;
+    const auto first = x.begin() + first_variable(intervals_) + NX;
     return first == x.end() ? 0.0 : *std::max_element(first, x.end());
   }
 
@@ -58,28 +56,29 @@ private:
   /// Where the excesses start: inside of their bounds.
   static constexpr double kExcess = 1e-2;
 
+  static int first_variable(std::size_t k) { return static_cast<int>(k) * NZ; }
+
   /// The first `count` components of (x_k, u_k), as far as there are as many.
-  std::vector<int> leading(int k, int count) const
+  std::vector<int> leading(std::size_t k, int count) const
   {
     std::vector<int> result;
-    for (int i = 0; i < (k < intervals_ ? count : std::min(count, NX)); ++i) result.push_back(k * NZ + i);
+    for (int i = 0; i < (k < intervals_ ? count : std::min(count, NX)); ++i) result.push_back(first_variable(k) + i);
     return result;
   }
 
-  void add_variables(const Problem& problem, const Trajectory& guess, int k)
+  void add_variables(const Problem& problem, const Trajectory& guess, std::size_t k)
   {
-    const std::size_t at = static_cast<std::size_t>(k);
     for (int i = 0; i < (k < intervals_ ? NZ : NX); ++i)
     {
-      double lower = problem.bounds[at].lower[i], upper = problem.bounds[at].upper[i];
+      double lower = problem.bounds[k].lower[i], upper = problem.bounds[k].upper[i];
       if (i < NX && k == 0) lower = upper = problem.initial_state[i];
       if (i < NX && k == intervals_ && problem.terminal_fixed[static_cast<std::size_t>(i)])
         lower = upper = problem.terminal_state[i];
-      nlp_.add_variable(lower, upper, i < NX ? guess.states[at][i] : guess.controls[at][i - NX]);
+      nlp_.add_variable(lower, upper, i < NX ? guess.states[k][i] : guess.controls[k][i - NX]);
     }
   }
 
-  void add_rows(const Model& model, int k, const std::vector<ocp::RowLimit>& limits)
+  void add_rows(const Model& model, std::size_t k, const std::vector<ocp::RowLimit>& limits)
   {
     std::vector<int> excess;
     for (const ocp::RowLimit& limit : limits)
@@ -88,7 +87,7 @@ private:
         std::make_unique<RowsElement<Model>>(model, k, leading(k, Model::kRowPoint), excess, limits));
   }
 
-  int intervals_;
+  std::size_t intervals_;
   Nlp nlp_;
 };
 

@@ -32,7 +32,7 @@ void add_symmetric(SegmentModel::Derivatives& d, int i, int j, double value)
   d.hessian(j, i) += value;
 }
 
-void add_rows(const Polytope& region, const Point2& centre, int knot, double weight, SegmentProblem& problem)
+void add_rows(const Polytope& region, const Point2& centre, std::size_t knot, double weight, SegmentProblem& problem)
 {
   for (const HalfPlane& plane : region)
   {
@@ -51,13 +51,12 @@ void set_rows(const SegmentTask& task, double weight, SegmentProblem& problem)
   model.first_row.assign(n + 1, 0);
   for (std::size_t k = 0; k < n; ++k)
   {
-    for (int i = 0; i < WheelRateRows::kRows; ++i) problem.numbers.add_row(static_cast<int>(k), {0.0});
-    problem.numbers.add_row(static_cast<int>(k), {0.0, weight});
+    for (int i = 0; i < WheelRateRows::kRows; ++i) problem.numbers.add_row(k, {0.0});
+    problem.numbers.add_row(k, {0.0, weight});
     model.first_row[k] = model.disc_rows.size();
     if (k == 0) continue;
     for (std::size_t interval : {k - 1, k})
-      for (const DiscRegions& disc : task.corridor)
-        add_rows(disc.regions[interval], disc.centre, static_cast<int>(k), weight, problem);
+      for (const DiscRegions& disc : task.corridor) add_rows(disc.regions[interval], disc.centre, k, weight, problem);
   }
 }
 
@@ -96,14 +95,15 @@ void set_bounds(const SegmentTask& task, const MotionLimits& limits, const Optim
 
 }  // namespace
 
-void SegmentModel::evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
+void SegmentModel::evaluate(std::size_t, const State& x, const Control& u, const State& next, Value& value) const
 {
   const double sweep = x[3] * u[1], late = u[2] - h_ref;
   value.cost = u[2] + alpha * sweep * sweep * u[2] + interval_weight * late * late;
   value.defect = dynamics.next(x, u) - next;
 }
 
-void SegmentModel::differentiate(int, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+void SegmentModel::differentiate(std::size_t, const State& x, const Control& u, const State& lambda,
+                                 Derivatives& d) const
 {
   dynamics.differentiate(x, u, lambda, d.jacobian, d.hessian);
   const double v = x[3], omega = u[1], h = u[2];
@@ -145,10 +145,10 @@ void SegmentModel::differentiate_way(const RowPoint& q, double y, Gradients& gra
   }
 }
 
-void SegmentModel::rows(int k, const RowPoint& q, ocp::RowValues values) const
+void SegmentModel::rows(std::size_t k, const RowPoint& q, ocp::RowValues values) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
-  const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
+  const DiscRow* row = disc_rows.data() + first_row[k];
   wheel_rates.evaluate(q, values.data());
   values[WheelRateRows::kRows] = way_of(q) * way_of(q) / (reach * reach) - 1.0;
   for (Eigen::Index i = kWideRows; i < values.size(); ++i, ++row)
@@ -158,11 +158,11 @@ void SegmentModel::rows(int k, const RowPoint& q, ocp::RowValues values) const
   }
 }
 
-void SegmentModel::differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
+void SegmentModel::differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
                                       RowHessian& hessian) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
-  const DiscRow* row = disc_rows.data() + first_row[static_cast<std::size_t>(k)];
+  const DiscRow* row = disc_rows.data() + first_row[k];
   wheel_rates.differentiate(q, y, gradients, hessian);
   differentiate_way(q, y[WheelRateRows::kRows], gradients, hessian);
   for (Eigen::Index i = kWideRows; i < y.size(); ++i, ++row)
@@ -189,7 +189,7 @@ SegmentProblem segment_problem(const SegmentTask& task, const Robot& robot, cons
   problem.model.reach = options.longest_interval * length / static_cast<double>(n);
 
   Problem& numbers = problem.numbers;
-  numbers.reset(static_cast<int>(n));
+  numbers.reset(n);
   const Pose &start = segment.knots.front(), &goal = segment.knots.back();
   numbers.initial_state << start.x, start.y, start.theta, 0.0, segment.phi.front();
   numbers.terminal_state << goal.x, goal.y, goal.theta, 0.0, 0.0;

@@ -31,10 +31,10 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows + 1>
 {
   SegmentModel(const Robot& robot, Mode mode) : dynamics(robot, mode), wheel_rates(robot, mode) {}
 
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
-  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
-  void rows(int k, const RowPoint& q, ocp::RowValues values) const;
-  void differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const;
+  void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
+  void rows(std::size_t k, const RowPoint& q, ocp::RowValues values) const;
+  void differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
                           RowHessian& hessian) const;
 
   /// How far C moves within an interval [m].

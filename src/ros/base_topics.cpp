@@ -18,7 +18,7 @@ boost::array<double, 36> to_covariance(const Eigen::Matrix3d& planar)
 {
   constexpr std::size_t rows[3] = {0, 1, 5};
   boost::array<double, 36> covariance{};
-  for (const std::size_t other : {2, 3, 4}) covariance[other * 7] = kPlanar;
+  for (const std::size_t other : {2u, 3u, 4u}) covariance[other * 7] = kPlanar;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column) covariance[rows[row] * 6 + rows[column]] = planar(row, column);
   return covariance;

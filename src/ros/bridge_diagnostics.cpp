@@ -24,7 +24,7 @@ bool is_starting_or_driving(BridgeStage stage)
   return stage != BridgeStage::link_down && stage != BridgeStage::stopping && stage != BridgeStage::fault;
 }
 
-signed char level_of(const BridgeReport& report)
+unsigned char level_of(const BridgeReport& report)
 {
   if (report.stage == BridgeStage::fault || report.stage == BridgeStage::link_down) return DiagnosticStatus::ERROR;
   return report.cause.exists() || !is_starting_or_driving(report.stage) ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
@@ -37,7 +37,7 @@ const char* controller_state(const can::ControllerNotice& notice)
   return notice.warning ? "error-warning" : "error-active";
 }
 
-signed char level_of(const can::AxisReport& axis)
+unsigned char level_of(const can::AxisReport& axis)
 {
   if (axis.drive == can::DriveState::fault || axis.drive == can::DriveState::fault_reaction)
     return DiagnosticStatus::ERROR;

@@ -66,14 +66,14 @@ void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double long
   const double kappa = max_curvature(robot_, mode);
   ReedsSheppWords words;
   reeds_shepp_words(in_turning_radii(relative, mode, kappa), words);
-  for (int w = 0; w < words.count; ++w)
+  for (std::size_t w = 0; w < words.count; ++w)
   {
-    const ReedsSheppPath& word = words.paths[static_cast<std::size_t>(w)];
+    const ReedsSheppPath& word = words.paths[w];
     if (word.length / kappa >= longest) continue;
     ModeCurve& curve = curves.emplace_back();
-    for (int i = 0; i < word.count; ++i)
+    for (std::size_t i = 0; i < word.count; ++i)
     {
-      const ReedsSheppSegment& segment = word.segments[static_cast<std::size_t>(i)];
+      const ReedsSheppSegment& segment = word.segments[i];
       if (std::abs(segment.length) > kNoLength)
         curve.append(mode, segment.turn * robot_.max_steering_angle, segment.length / kappa);
     }

@@ -221,7 +221,8 @@ ReedsSheppPath read_back(const View& view, Segments segments)
   for (const Segment& segment : segments)
     if (std::abs(segment.length) > tolerance)
       path.segments[path.count++] = {segment.turn * view.side, segment.length * view.time};
-  if (view.backwards) std::reverse(path.segments.begin(), path.segments.begin() + path.count);
+  if (view.backwards)
+    std::reverse(path.segments.begin(), path.segments.begin() + static_cast<std::ptrdiff_t>(path.count));
   path.length = total(segments);
   return path;
 }

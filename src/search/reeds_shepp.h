@@ -18,15 +18,15 @@ struct ReedsSheppSegment
 struct ReedsSheppPath
 {
   std::array<ReedsSheppSegment, 5> segments{};
-  int count = 0;        ///< segments in use
-  double length = 0.0;  ///< sum of absolute lengths, in turning radii
+  std::size_t count = 0;  ///< segments in use
+  double length = 0.0;    ///< sum of absolute lengths, in turning radii
 };
 
 /// All words (at most 48) that lead from the origin to a pose.
 struct ReedsSheppWords
 {
   std::array<ReedsSheppPath, 48> paths;
-  int count = 0;
+  std::size_t count = 0;
 };
 
 /// Every Reeds-Shepp word from (0, 0, 0) to `goal`, whose x and y are in turning radii. Formulas (8.1) to (8.11) of

@@ -32,17 +32,17 @@ bool is_usable(const Solution& solution)
 
 }  // namespace
 
-void HorizonModel::evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+void HorizonModel::evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
 {
-  const Interval& interval = intervals[static_cast<std::size_t>(k)];
+  const Interval& interval = intervals[k];
   value.cost = 0.5 * interval.h * (state_weight.dot(x.cwiseAbs2()) + control_weight.dot(u.cwiseAbs2()));
   value.defect =
       interval.jacobian.leftCols<5>().lazyProduct(x) + interval.jacobian.rightCols<2>().lazyProduct(u) - next;
 }
 
-void HorizonModel::differentiate(int k, const State& x, const Control& u, const State&, Derivatives& d) const
+void HorizonModel::differentiate(std::size_t k, const State& x, const Control& u, const State&, Derivatives& d) const
 {
-  const Interval& interval = intervals[static_cast<std::size_t>(k)];
+  const Interval& interval = intervals[k];
   d.jacobian = interval.jacobian;
   d.gradient << interval.h * state_weight.cwiseProduct(x), interval.h * control_weight.cwiseProduct(u);
   d.hessian.diagonal() << interval.h * state_weight, interval.h * control_weight;
@@ -76,7 +76,7 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   for (std::size_t k = 0; k < count; ++k)
     horizon_.intervals[k] = {Eigen::Matrix<double, 5, 7>::Zero(), times_[k + 1] - times_[k]};
 
-  problem_.reset(options.knots);
+  problem_.reset(count);
   hold_.states.assign(count + 1, ErrorState::Zero());
   hold_.controls.assign(count, ErrorInput::Zero());
   knots_.resize(count + 1);
@@ -101,30 +101,29 @@ MotionState Mpc::within_bounds(const MotionState& state) const
 }
 
 /// Bounds on v and phi at a knot. v may take the time it needs to get within the limit of the fastest wheel.
-void Mpc::set_state_bounds(int k, double v)
+void Mpc::set_state_bounds(std::size_t k, double v)
 {
-  const MotionState& r = knots_[static_cast<std::size_t>(k)].state;
+  const MotionState& r = knots_[k].state;
   const double by_wheels = robot_.wheel_max_speed / wheel_speed_ratio(robot_, error_model_.mode(), r.phi);
-  const double reachable = std::abs(v) - robot_.max_acceleration * times_[static_cast<std::size_t>(k)];
+  const double reachable = std::abs(v) - robot_.max_acceleration * times_[k];
   const double limit = std::max(std::min(robot_.max_speed, by_wheels), reachable);
-  auto& bounds = problem_.bounds[static_cast<std::size_t>(k)];
+  auto& bounds = problem_.bounds[k];
   bounds.lower.segment<2>(3) << -limit - r.v, steering_.low - r.phi;
   bounds.upper.segment<2>(3) << limit - r.v, steering_.high - r.phi;
 }
 
 /// Dynamics and bounds on a and omega of an interval.
-void Mpc::set_interval(const Reference& reference, double t, int k)
+void Mpc::set_interval(const Reference& reference, double t, std::size_t k)
 {
-  const std::size_t at = static_cast<std::size_t>(k);
-  const MotionState &from = knots_[at].state, &to = knots_[at + 1].state;
-  const double h = horizon_.intervals[at].h;
+  const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
+  const double h = horizon_.intervals[k].h;
   // The input of a whole interval: the reference's own may change within it.
-  const ReferencePoint middle = {reference.at(t + 0.5 * (times_[at] + times_[at + 1])).state,
+  const ReferencePoint middle = {reference.at(t + 0.5 * (times_[k] + times_[k + 1])).state,
                                  {(to.v - from.v) / h, (to.phi - from.phi) / h}};
-  horizon_.intervals[at].jacobian = error_model_.jacobian(middle, h);
+  horizon_.intervals[k].jacobian = error_model_.jacobian(middle, h);
   const double rate =
       std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
-  auto& bounds = problem_.bounds[at];
+  auto& bounds = problem_.bounds[k];
   bounds.lower.tail<2>() << -robot_.max_acceleration - middle.input.a, -rate - middle.input.omega;
   bounds.upper.tail<2>() << robot_.max_acceleration - middle.input.a, rate - middle.input.omega;
 }
@@ -133,8 +132,8 @@ MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& st
 {
   for (std::size_t k = 0; k < knots_.size(); ++k) knots_[k] = reference.at(t + times_[k]);
   const MotionState start = within_bounds(state);
-  for (int k = 0; k <= problem_.intervals(); ++k) set_state_bounds(k, start.v);
-  for (int k = 0; k < problem_.intervals(); ++k) set_interval(reference, t, k);
+  for (std::size_t k = 0; k <= problem_.intervals(); ++k) set_state_bounds(k, start.v);
+  for (std::size_t k = 0; k < problem_.intervals(); ++k) set_interval(reference, t, k);
   problem_.initial_state = error_model_.error(start, knots_.front().state);
 
   const auto* solution = &(warm_ ? solve_warm() : solve_cold());

@@ -22,8 +22,8 @@ struct HorizonModel : ocp::ModelBase<5, 2>
   Control control_weight;   ///< likewise
   double end_weight = 0.0;  ///< the last state counts as if it lasted that long [s]
 
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
-  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const;
+  void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
   double terminal_cost(const State& x) const;
   void differentiate_terminal(const State& x, Terminal& terminal) const;
 };
@@ -68,8 +68,8 @@ private:
   using Solution = ocp::Solver<HorizonModel>::Solution;
 
   MotionState within_bounds(const MotionState& state) const;
-  void set_state_bounds(int k, double v);
-  void set_interval(const Reference& reference, double t, int k);
+  void set_state_bounds(std::size_t k, double v);
+  void set_interval(const Reference& reference, double t, std::size_t k);
   const Solution& solve_warm();
   const Solution& solve_cold();
   void take(const Solution& solution, MpcAnswer& answer);

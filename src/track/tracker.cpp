@@ -9,7 +9,8 @@ namespace fourwis
 class Tracker::Implementation
 {
 public:
-  Implementation(const Robot& robot, const TrackOptions& options) : robot(robot), sequencer(robot, options) {}
+  Implementation(const Robot& its_robot, const TrackOptions& options) : robot(its_robot), sequencer(its_robot, options)
+  {}
 
   const Robot robot;
   Sequencer sequencer;

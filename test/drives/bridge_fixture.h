@@ -23,8 +23,8 @@ struct MemoryEnds
 class BridgeFixture : public testing::Test, protected MemoryEnds, protected BridgeBench
 {
 protected:
-  explicit BridgeFixture(const can::BridgeOptions& options = {}, const can::MemoryBusOptions& bus = {})
-    : BridgeFixture(options, options, bus)
+  explicit BridgeFixture(const can::BridgeOptions& of_both = {}, const can::MemoryBusOptions& memory = {})
+    : BridgeFixture(of_both, of_both, memory)
   {}
   /// The bridge expects something else than what the drives are.
   BridgeFixture(const can::BridgeOptions& expected, const can::BridgeOptions& real, const can::MemoryBusOptions& memory)

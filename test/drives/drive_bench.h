@@ -91,7 +91,8 @@ public:
   {
     const int command = 0x23 | (4 - size) << 2;
     can::Frame request = raw(0x605, {command, index & 0xFF, index >> 8, sub, 0, 0, 0, 0});
-    for (int k = 0; k < size; ++k) request.data[4 + k] = static_cast<std::uint8_t>(value >> 8 * k);
+    for (int k = 0; k < size; ++k)
+      request.data[static_cast<std::size_t>(4 + k)] = static_cast<std::uint8_t>(value >> 8 * k);
     const Frames answers = send(request);
     if (answers.empty()) return 0xFFFFFFFF;
     const can::Frame& answer = answers.back();

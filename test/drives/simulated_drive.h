@@ -16,7 +16,8 @@ class SimulatedDrive
 public:
   static constexpr double kPeriod = 0.02;
 
-  SimulatedDrive(const Robot& robot, const SimulatorOptions& options) : robot(robot), base(robot, options) {}
+  SimulatedDrive(const Robot& its_robot, const SimulatorOptions& options) : robot(its_robot), base(its_robot, options)
+  {}
 
   /// The wheels of a mode on branches within their travel.
   WheelMotion wheels_for(Mode mode, double v, double phi) const

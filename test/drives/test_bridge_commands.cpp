@@ -27,7 +27,7 @@ TEST_F(BridgeCommands, WhatTheWheelsDoIsWhatWasCommanded)
   EXPECT_EQ(wheels.state, BaseState::enabled);
   EXPECT_EQ(wheels.mode, Mode::parallel);
   EXPECT_TRUE(wheels.aligned);
-  for (int i = 0; i < kWheels; ++i)
+  for (std::size_t i = 0; i < kWheels; ++i)
   {
     EXPECT_NEAR(wheels.motion.angle[i], drives.truth().angle[i], 1e-3);
     EXPECT_NEAR(wheels.motion.speed[i], drives.truth().speed[i], 2e-3);

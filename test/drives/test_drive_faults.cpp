@@ -29,7 +29,7 @@ TEST_F(DriveFaults, NodeSilent)
 {
   begin(DriveFaultKind::node_silent, 6);
   pass(0.5);
-  for (std::uint32_t id : {0x186, 0x286, 0x706, 0x086}) EXPECT_EQ(sent(id), 0u);
+  for (std::uint32_t id : {0x186u, 0x286u, 0x706u, 0x086u}) EXPECT_EQ(sent(id), 0u);
   EXPECT_GT(sent(0x185), 40u);
   EXPECT_EQ(power(6), PowerState::switch_on_disabled) << "it does not hear the master either";
   EXPECT_EQ(power(5), PowerState::operation_enabled);
@@ -211,7 +211,7 @@ TEST_F(SlowBus, CarriesEightDrivesAt100Hz)
   recorder.clear();
   pass(1.0);
   EXPECT_EQ(recorder.of(0x080).size(), 100u);
-  for (std::uint32_t id = 0x181; id <= 0x188; ++id) EXPECT_NEAR(recorder.of(id).size(), 100, 1);
+  for (std::uint32_t id = 0x181; id <= 0x188; ++id) EXPECT_NEAR(static_cast<double>(recorder.of(id).size()), 100, 1);
 }
 
 TEST_F(SlowBus, AFloodOfTheLeastIdLetsEverythingThrough)
@@ -220,7 +220,7 @@ TEST_F(SlowBus, AFloodOfTheLeastIdLetsEverythingThrough)
   drives.inject({DriveFaultKind::flood, 0, drives.time(), drives.time() + 1.0, 0x7FF});
   recorder.clear();
   pass(1.0);
-  EXPECT_NEAR(recorder.of(0x080).size(), 100, 1);
+  EXPECT_NEAR(static_cast<double>(recorder.of(0x080).size()), 100, 1);
   EXPECT_GT(recorder.of(0x7FF).size(), 1000u);
   for (int node = 1; node <= 8; ++node) EXPECT_EQ(drives.drive(node).power_state(), PowerState::operation_enabled);
 }

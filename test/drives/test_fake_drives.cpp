@@ -13,7 +13,7 @@ namespace
 
 using FakeDrivesTest = DrivesFixture;
 
-std::int32_t number(const can::Frame& frame, int at)
+std::int32_t number(const can::Frame& frame, std::size_t at)
 {
   return static_cast<std::int32_t>(frame.data[at] | frame.data[at + 1] << 8 | frame.data[at + 2] << 16 |
                                    static_cast<std::uint32_t>(frame.data[at + 3]) << 24);

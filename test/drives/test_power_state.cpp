@@ -36,7 +36,7 @@ PowerState wanted(std::size_t from, unsigned word, bool reset, bool holds)
   if (kStates[from] == PowerState::fault && reset) return PowerState::switch_on_disabled;
   if ((word & 0x80) != 0) return kStates[from];
   if (kStates[from] == PowerState::quick_stop_active && !holds && (word & 0x0F) == 0x0F) return kStates[from];
-  return kStates[std::strchr(kLetters, kTable[from][word & 0x0F]) - kLetters];
+  return kStates[static_cast<std::size_t>(std::strchr(kLetters, kTable[from][word & 0x0F]) - kLetters)];
 }
 
 TEST(PowerState, FollowsTheWholeTransitionTable)

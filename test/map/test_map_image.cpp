@@ -48,10 +48,10 @@ TEST_F(MapImage, ReadsEveryKindOfPgmAlike)
 
 TEST_F(MapImage, ReadsEveryKindOfPngAlike)
 {
-  const auto repeat = [](int times) {
+  const auto repeat = [](std::size_t times) {
     return converted([times](std::uint8_t grey, auto& row) { row.insert(row.end(), times, grey); });
   };
-  const auto with_alpha = [](int colours) {
+  const auto with_alpha = [](std::size_t colours) {
     return converted([colours](std::uint8_t grey, auto& row) {
       row.insert(row.end(), colours, grey);
       row.push_back(255);

@@ -10,13 +10,13 @@ namespace fourwis::ocp
 /// x = (p, v), u = (a, h): a mass on a rail, in the least time.
 struct Shuttle : ModelBase<2, 2>
 {
-  void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t, const State& x, const Control& u, const State& next, Value& value) const
   {
     value.cost = u[1];
     value.defect << x[0] + u[1] * x[1] + 0.5 * u[0] * u[1] * u[1] - next[0], x[1] + u[0] * u[1] - next[1];
   }
 
-  void differentiate(int, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+  void differentiate(std::size_t, const State& x, const Control& u, const State& lambda, Derivatives& d) const
   {
     const double a = u[0], h = u[1];
     d.jacobian << 1, h, 0.5 * h * h, x[1] + a * h,  //
@@ -28,7 +28,7 @@ struct Shuttle : ModelBase<2, 2>
   }
 
   /// By `distance` from rest to rest with |a| <= `acceleration`.
-  static Problem<2, 2> problem(double distance, double acceleration, int intervals)
+  static Problem<2, 2> problem(double distance, double acceleration, std::size_t intervals)
   {
     Problem<2, 2> problem;
     problem.reset(intervals);
@@ -42,10 +42,11 @@ struct Shuttle : ModelBase<2, 2>
     return problem;
   }
 
-  static Trajectory<2, 2> guess(double distance, int intervals)
+  static Trajectory<2, 2> guess(double distance, std::size_t intervals)
   {
     Trajectory<2, 2> guess;
-    for (int k = 0; k <= intervals; ++k) guess.states.push_back({distance * k / intervals, 0.5});
+    for (std::size_t k = 0; k <= intervals; ++k)
+      guess.states.push_back({distance * static_cast<double>(k) / static_cast<double>(intervals), 0.5});
     guess.controls.assign(intervals, {0.0, 0.1});
     return guess;
   }
@@ -62,7 +63,7 @@ struct Car : ModelBase<4, 3, 3>
   double ahead = 0.4;
   std::vector<HalfPlane> half_planes;  ///< the rows of each stage between the first and the last
 
-  void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t, const State& x, const Control& u, const State& next, Value& value) const
   {
     const double s = u[2] * x[3];
     value.cost = u[2] * (1.0 + 0.5 * u[1] * u[1]);
@@ -70,7 +71,7 @@ struct Car : ModelBase<4, 3, 3>
     value.defect -= next;
   }
 
-  void differentiate(int, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+  void differentiate(std::size_t, const State& x, const Control& u, const State& lambda, Derivatives& d) const
   {
     const double v = x[3], a = u[0], kappa = u[1], h = u[2], c = std::cos(x[2]), s = std::sin(x[2]);
     d.jacobian << 1, 0, -h * v * s, h * c, 0, 0, v * c,  //
@@ -91,33 +92,35 @@ struct Car : ModelBase<4, 3, 3>
     d.hessian.triangularView<Eigen::StrictlyLower>() = d.hessian.transpose();
   }
 
-  void rows(int, const RowPoint& q, RowValues values) const
+  void rows(std::size_t, const RowPoint& q, RowValues values) const
   {
     const double x = q[0] + ahead * std::cos(q[2]), y = q[1] + ahead * std::sin(q[2]);
-    for (int i = 0; i < values.size(); ++i) values[i] = half_planes[i].nx * x + half_planes[i].ny * y;
+    Eigen::Index i = 0;
+    for (const auto& [nx, ny] : half_planes) values[i++] = nx * x + ny * y;
   }
 
-  void differentiate_rows(int, const RowPoint& q, RowMultipliers y, Gradients gradients, RowHessian& hessian) const
+  void differentiate_rows(std::size_t, const RowPoint& q, RowMultipliers y, Gradients gradients,
+                          RowHessian& hessian) const
   {
     const double dx = -ahead * std::sin(q[2]), dy = ahead * std::cos(q[2]);
-    for (int i = 0; i < y.size(); ++i)
+    Eigen::Index i = 0;
+    for (const auto& [nx, ny] : half_planes)
     {
-      const auto [nx, ny] = half_planes[i];
       gradients.col(i) << nx, ny, nx * dx + ny * dy;
-      hessian(2, 2) += y[i] * (ny * dx - nx * dy);
+      hessian(2, 2) += y[i++] * (ny * dx - nx * dy);
     }
   }
 
   /// A swing to the left by 1 m between two walls that leave it late and end it early: |y| <= 0.15 in the first 2/5 of
   /// the intervals, |y - 1| <= 0.15 in the last 2/5 (y of the point ahead).
-  static Problem<4, 3> swing(Car& car, int intervals, double weight)
+  static Problem<4, 3> swing(Car& car, std::size_t intervals, double weight)
   {
     car.half_planes = {{0.0, 1.0}, {0.0, -1.0}};
     Problem<4, 3> problem;
     problem.reset(intervals);
     problem.terminal_state << 3.0, 1.0, 0.0, 0.0;
     problem.terminal_fixed = {true, true, true, true};
-    for (int k = 0; k <= intervals; ++k)
+    for (std::size_t k = 0; k <= intervals; ++k)
     {
       problem.bounds[k].lower.tail<4>() << 0.0, -2.0, -3.0, 0.08;
       problem.bounds[k].upper.tail<4>() << 1.0, 2.0, 3.0, 0.12;
@@ -128,11 +131,15 @@ struct Car : ModelBase<4, 3, 3>
     return problem;
   }
 
-  static Trajectory<4, 3> guess(int intervals)
+  static Trajectory<4, 3> guess(std::size_t intervals)
   {
     Trajectory<4, 3> guess;
-    for (int k = 0; k <= intervals; ++k) guess.states.push_back({3.0 * k / intervals, 1.0 * k / intervals, 0.3, 0.8});
-    guess.controls.assign(intervals, {0.0, 0.0, 4.0 / intervals});
+    for (std::size_t k = 0; k <= intervals; ++k)
+    {
+      const double share = static_cast<double>(k) / static_cast<double>(intervals);
+      guess.states.push_back({3.0 * share, share, 0.3, 0.8});
+    }
+    guess.controls.assign(intervals, {0.0, 0.0, 4.0 / static_cast<double>(intervals)});
     return guess;
   }
 };

@@ -16,7 +16,7 @@ struct RandomPoint
   using Point = Iterate<NX, NU>;
 
   Random random;
-  int intervals = 5;
+  std::size_t intervals = 5;
   Model model;
   Constraints<NX, NU> limits;
   Point point;
@@ -25,13 +25,13 @@ struct RandomPoint
   {
     limits.set(random_problem(model, Model::kMostRows, random));
     point = new_point();
-    for (int k = 0; k <= intervals; ++k) set_stage(k);
+    for (std::size_t k = 0; k <= intervals; ++k) set_stage(k);
     for (std::size_t i = 0; i < limits.rows.size(); ++i)
     {
       const double weight = limits.rows[i].weight, y = 2.0 + random();
       point.rows[i] = {2.0 + random(), std::isfinite(weight) ? 2.0 + random() : 0.0, y, weight - y};
     }
-    for (int i = 0; i < NX; ++i) point.nu[i] = limits.fixed[i] ? random() : 0.0;
+    for (int i = 0; i < NX; ++i) point.nu[i] = limits.is_fixed(i) ? random() : 0.0;
   }
 
   Point new_point() const
@@ -59,7 +59,7 @@ struct RandomPoint
   }
 
 private:
-  void set_stage(int k)
+  void set_stage(std::size_t k)
   {
     auto& stage = point.stages[k];
     stage.z = random.matrix<NZ, 1>();

@@ -59,9 +59,10 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
   double bend = 0.0;
 
   /// `convexity` is added to the diagonal of Q, whose other part has eigenvalues of both signs.
-  RandomModel(int intervals, double convexity, double bend_of_constraints, Random& random) : bend(bend_of_constraints)
+  RandomModel(std::size_t intervals, double convexity, double bend_of_constraints, Random& random)
+    : bend(bend_of_constraints)
   {
-    for (int k = 0; k <= intervals; ++k)
+    for (std::size_t k = 0; k <= intervals; ++k)
     {
       Stage stage;
       stage.Q = random.matrix<NZ, NZ>();
@@ -87,7 +88,10 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
     }
   }
 
-  const Matrix<NQ, NQ>& curvature(int k, int row) const { return row < NW ? stages[k].wide_D : stages[k].D; }
+  const Matrix<NQ, NQ>& curvature(std::size_t k, Eigen::Index row) const
+  {
+    return row < NW ? stages[k].wide_D : stages[k].D;
+  }
 
   static Vector<NZ> join(const State& x, const Control& u)
   {
@@ -96,7 +100,7 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
     return z;
   }
 
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
   {
     const Stage& s = stages[k];
     const Vector<NZ> z = join(x, u);
@@ -105,7 +109,8 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
     value.defect.array() += 0.5 * bend * z.dot(s.C * z);
   }
 
-  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& derivatives) const
+  void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda,
+                     Derivatives& derivatives) const
   {
     const Stage& s = stages[k];
     const Vector<NZ> z = join(x, u);
@@ -126,16 +131,18 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
     terminal.gradient = terminal.hessian * x + stages.back().q.template head<NX>();
   }
 
-  void rows(int k, const RowPoint& r, RowValues values) const
+  void rows(std::size_t k, const RowPoint& r, RowValues values) const
   {
-    for (int i = 0; i < values.size(); ++i) values[i] = stages[k].a[i].dot(r) + 0.5 * bend * r.dot(curvature(k, i) * r);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      values[i] = stages[k].a[static_cast<std::size_t>(i)].dot(r) + 0.5 * bend * r.dot(curvature(k, i) * r);
   }
 
-  void differentiate_rows(int k, const RowPoint& r, RowMultipliers y, Gradients gradients, RowHessian& hessian) const
+  void differentiate_rows(std::size_t k, const RowPoint& r, RowMultipliers y, Gradients gradients,
+                          RowHessian& hessian) const
   {
-    for (int i = 0; i < y.size(); ++i)
+    for (Eigen::Index i = 0; i < y.size(); ++i)
     {
-      gradients.col(i) = stages[k].a[i] + bend * (curvature(k, i) * r);
+      gradients.col(i) = stages[k].a[static_cast<std::size_t>(i)] + bend * (curvature(k, i) * r);
       hessian += bend * y[i] * curvature(k, i);
     }
   }
@@ -150,7 +157,7 @@ Trajectory<Model::kStates, Model::kControls> roll_out(const Model& model, const 
   for (std::size_t k = 0; k < controls.size(); ++k)
   {
     typename Model::Value value;
-    model.evaluate(static_cast<int>(k), result.states[k], controls[k], Vector<Model::kStates>::Zero(), value);
+    model.evaluate(k, result.states[k], controls[k], Vector<Model::kStates>::Zero(), value);
     result.states.push_back(value.defect);
   }
   return result;
@@ -161,16 +168,16 @@ Trajectory<Model::kStates, Model::kControls> roll_out(const Model& model, const 
 template <int NX, int NU, int NR, int NW>
 Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR, NW>& model, int rows_per_stage, Random& random)
 {
-  const int intervals = static_cast<int>(model.stages.size()) - 1;
+  const std::size_t intervals = model.stages.size() - 1;
   std::vector<Vector<NU>> controls;
-  for (int k = 0; k < intervals; ++k) controls.push_back(0.5 * random.matrix<NU, 1>());
+  for (std::size_t k = 0; k < intervals; ++k) controls.push_back(0.5 * random.matrix<NU, 1>());
   const Trajectory<NX, NU> inside = roll_out(model, random.matrix<NX, 1>(), controls);
   Problem<NX, NU> problem;
   problem.reset(intervals);
   problem.initial_state = inside.states.front();
   problem.terminal_state = inside.states.back();
-  for (int i = 0; i < NX; i += 2) problem.terminal_fixed[i] = true;
-  for (int k = 0; k <= intervals; ++k)
+  for (std::size_t i = 0; i < NX; i += 2) problem.terminal_fixed[i] = true;
+  for (std::size_t k = 0; k <= intervals; ++k)
   {
     const Vector<NX + NU> z = model.join(inside.states[k], k < intervals ? controls[k] : Vector<NU>::Zero());
     for (int i = 0; i < NX + NU; ++i)
@@ -188,7 +195,7 @@ Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR, NW>& model, int row
 
 /// All states and controls zero.
 template <int NX, int NU>
-Trajectory<NX, NU> zero_trajectory(int intervals)
+Trajectory<NX, NU> zero_trajectory(std::size_t intervals)
 {
   return {std::vector<Vector<NX>>(intervals + 1, Vector<NX>::Zero()),
           std::vector<Vector<NU>>(intervals, Vector<NU>::Zero())};

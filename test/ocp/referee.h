@@ -28,20 +28,24 @@ public:
     EXPECT_EQ(x_.states[0], problem_.initial_state);
     for (int i = 0; i < NX; ++i)
     {
-      const double goal = problem_.terminal_fixed[i] ? problem_.terminal_state[i] : x_.states.back()[i];
+      const double goal = is_fixed(i) ? problem_.terminal_state[i] : x_.states.back()[i];
       EXPECT_NEAR(x_.states.back()[i], goal, tolerance_);
     }
-    for (int k = 0, row = 0; k <= problem_.intervals(); row += problem_.row_counts[k++])
+    std::size_t row = 0;
+    for (std::size_t k = 0; k <= problem_.intervals(); ++k)
     {
       SCOPED_TRACE(testing::Message() << "stage " << k);
       expect_bounds(k);
       expect_rows(k, row);
       expect_dynamics_and_stationarity(k, row);
+      row += static_cast<std::size_t>(problem_.row_counts[k]);
     }
   }
 
 private:
-  Vector<NZ> z(int k) const
+  bool is_fixed(int i) const { return problem_.terminal_fixed[static_cast<std::size_t>(i)]; }
+
+  Vector<NZ> z(std::size_t k) const
   {
     Vector<NZ> result = Vector<NZ>::Zero();
     result.template head<NX>() = x_.states[k];
@@ -49,10 +53,10 @@ private:
     return result;
   }
 
-  bool is_bounded(int k, int i) const
+  bool is_bounded(std::size_t k, int i) const
   {
     if (k == 0) return i >= NX;
-    return k < problem_.intervals() || (i < NX && !problem_.terminal_fixed[i]);
+    return k < problem_.intervals() || (i < NX && !is_fixed(i));
   }
 
   void expect_pair(double gap, double multiplier) const
@@ -62,7 +66,7 @@ private:
     EXPECT_NEAR(gap * multiplier, 0.0, 10.0 * tolerance_);
   }
 
-  void expect_bounds(int k) const
+  void expect_bounds(std::size_t k) const
   {
     const Vector<NZ> at = z(k);
     for (int i = 0; i < NZ; ++i)
@@ -74,14 +78,15 @@ private:
   }
 
   /// An elastic row that is exceeded has the multiplier `weight`.
-  void expect_rows(int k, int first) const
+  void expect_rows(std::size_t k, std::size_t first) const
   {
     Eigen::VectorXd values(problem_.row_counts[k]);
     model_.rows(k, z(k).template head<NQ>(), {values.data(), values.size()});
-    for (int i = 0; i < values.size(); ++i)
+    for (Eigen::Index i = 0; i < values.size(); ++i)
     {
-      const RowLimit& limit = problem_.rows[first + i];
-      const double over = values[i] - limit.upper, y = y_.rows[first + i];
+      const std::size_t row = first + static_cast<std::size_t>(i);
+      const RowLimit& limit = problem_.rows[row];
+      const double over = values[i] - limit.upper, y = y_.rows[row];
       if (over < tolerance_)
         expect_pair(-over, y);
       else
@@ -90,7 +95,7 @@ private:
     }
   }
 
-  void expect_dynamics_and_stationarity(int k, int first_row) const
+  void expect_dynamics_and_stationarity(std::size_t k, std::size_t first_row) const
   {
     Vector<NZ> gradient = row_gradient(k, first_row) + y_.upper[k] - y_.lower[k];
     if (k > 0) gradient.template head<NX>() -= lambda(k);
@@ -113,7 +118,7 @@ private:
     EXPECT_LT(gradient.template lpNorm<Eigen::Infinity>(), 10.0 * tolerance_);
   }
 
-  Vector<NZ> row_gradient(int k, int first) const
+  Vector<NZ> row_gradient(std::size_t k, std::size_t first) const
   {
     const int count = problem_.row_counts[k];
     Eigen::Matrix<double, NQ, Eigen::Dynamic> gradients(NQ, count);
@@ -126,7 +131,7 @@ private:
     return result;
   }
 
-  Vector<NX> lambda(int k) const { return y_.dynamics[k - 1]; }
+  Vector<NX> lambda(std::size_t k) const { return y_.dynamics[k - 1]; }
 
   const Model& model_;
   const Problem<NX, NU>& problem_;
@@ -145,7 +150,7 @@ void expect_optimal(const Model& model, const Problem<Model::kStates, Model::kCo
 
 /// Compares the derivatives of stage k and of its `row_count` rows with central differences.
 template <class Model>
-void expect_derivatives(const Model& model, int k, const Vector<Model::kStates + Model::kControls>& z,
+void expect_derivatives(const Model& model, std::size_t k, const Vector<Model::kStates + Model::kControls>& z,
                         const Vector<Model::kStates>& lambda, const Eigen::VectorXd& y, double tolerance = 1e-7)
 {
   constexpr int NX = Model::kStates, NU = Model::kControls, NQ = Model::kRowPoint, NZ = NX + NU;

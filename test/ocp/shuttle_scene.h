@@ -10,7 +10,7 @@ namespace fourwis::ocp
 /// A problem that has a solution, to be spoilt.
 struct ShuttleScene
 {
-  static constexpr int kIntervals = 10;
+  static constexpr std::size_t kIntervals = 10;
 
   Problem<2, 2> problem = Shuttle::problem(1.0, 2.0, kIntervals);
   Trajectory<2, 2> guess = Shuttle::guess(1.0, kIntervals);

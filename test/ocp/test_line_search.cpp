@@ -101,7 +101,7 @@ TEST(LogSum, IsNotFiniteForWhatIsNotPositive)
 RandomPoint::Point random_step(RandomPoint& scene)
 {
   RandomPoint::Point step = scene.new_point();
-  for (int k = 0; k <= scene.intervals; ++k)
+  for (std::size_t k = 0; k <= scene.intervals; ++k)
   {
     auto& stage = step.stages[k];
     stage.z = scene.random.matrix<RandomPoint::NZ, 1>();
@@ -151,7 +151,7 @@ StepLengths least_ratios(const RandomPoint& scene, const RandomPoint::Point& ste
   const auto dual = [&](double value, double change) {
     least.dual = std::min(least.dual, (value + alpha.dual * change) / value);
   };
-  for (int k = 0; k <= scene.intervals; ++k)
+  for (std::size_t k = 0; k <= scene.intervals; ++k)
     for (int i = 0; i < RandomPoint::NZ; ++i)
     {
       const auto &at = scene.point.stages[k], &change = step.stages[k];

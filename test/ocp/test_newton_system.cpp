@@ -29,7 +29,7 @@ struct Conditions : RandomPoint
   std::vector<double*> unknowns(Point& at) const
   {
     std::vector<double*> result;
-    for (int k = 0; k <= intervals; ++k)
+    for (std::size_t k = 0; k <= intervals; ++k)
     {
       auto& stage = at.stages[k];
       for (int i = k == 0 ? NX : 0; i < (k < intervals ? NZ : NX); ++i) result.push_back(&stage.z[i]);
@@ -49,7 +49,7 @@ struct Conditions : RandomPoint
       result.push_back(&at.rows[i].excess_multiplier);
     }
     for (int i = 0; i < NX; ++i)
-      if (limits.fixed[i]) result.push_back(&at.nu[i]);
+      if (limits.is_fixed(i)) result.push_back(&at.nu[i]);
     return result;
   }
 
@@ -59,7 +59,7 @@ struct Conditions : RandomPoint
     const Values<NX> value = values(at);
     const Derivatives<Model> derivative = derivatives(at);
     std::vector<double> result;
-    for (int k = 0; k <= intervals; ++k)
+    for (std::size_t k = 0; k <= intervals; ++k)
     {
       add_stationarity(at, derivative, k, result);
       for (int i = 0; i < NX && k < intervals; ++i) result.push_back(value.residuals.defects[k][i]);
@@ -67,24 +67,25 @@ struct Conditions : RandomPoint
     }
     for (std::size_t i = 0; i < limits.rows.size(); ++i) add_row(at.rows[i], limits.rows[i], value.rows[i], result);
     for (int i = 0; i < NX; ++i)
-      if (limits.fixed[i])
+      if (limits.is_fixed(i))
         result.push_back(at.stages[intervals].z[i] - limits.goal[i] - delta * (at.nu[i] - point.nu[i]));
-    return Eigen::Map<Eigen::VectorXd>(result.data(), result.size());
+    return Eigen::Map<Eigen::VectorXd>(result.data(), static_cast<Eigen::Index>(result.size()));
   }
 
-  void add_stationarity(const Point& at, const Derivatives<Model>& derivative, int k, std::vector<double>& result) const
+  void add_stationarity(const Point& at, const Derivatives<Model>& derivative, std::size_t k,
+                        std::vector<double>& result) const
   {
     const auto& stage = at.stages[k];
     Vector<NZ> gradient = derivative.stages[k].gradient - stage.lower + stage.upper;
     if (k < intervals) gradient += derivative.stages[k].jacobian.transpose() * at.stages[k + 1].lambda;
     gradient.head<NX>() -= stage.lambda;
     if (k == intervals) gradient.head<NX>() += at.nu;
-    for (int i = limits.first_row[k]; i < limits.first_row[k + 1]; ++i)
+    for (std::size_t i = limits.first_row[k]; i < limits.first_row[k + 1]; ++i)
       gradient.head<Model::kRowPoint>() += at.rows[i].multiplier * derivative.rows[i];
     for (int i = k == 0 ? NX : 0; i < (k < intervals ? NZ : NX); ++i) result.push_back(gradient[i]);
   }
 
-  void add_bounds(const Point& at, int k, std::vector<double>& result) const
+  void add_bounds(const Point& at, std::size_t k, std::vector<double>& result) const
   {
     const auto& stage = at.stages[k];
     for (int i = 0; i < NZ; ++i)
@@ -109,15 +110,17 @@ struct Conditions : RandomPoint
   {
     Point at = point;
     const std::vector<double*> variables = unknowns(at);
-    Eigen::MatrixXd result(variables.size(), variables.size());
-    for (std::size_t j = 0; j < variables.size(); ++j)
+    const Eigen::Index count = static_cast<Eigen::Index>(variables.size());
+    Eigen::MatrixXd result(count, count);
+    for (Eigen::Index j = 0; j < count; ++j)
     {
-      const double value = *variables[j];
-      *variables[j] = value + 1.0;
+      double& variable = *variables[static_cast<std::size_t>(j)];
+      const double value = variable;
+      variable = value + 1.0;
       const Eigen::VectorXd after = conditions(at);
-      *variables[j] = value - 1.0;
+      variable = value - 1.0;
       result.col(j) = 0.5 * (after - conditions(at));
-      *variables[j] = value;
+      variable = value;
     }
     return result;
   }
@@ -138,7 +141,8 @@ double step_error(unsigned seed, double delta)
   const Eigen::VectorXd dense = scene.jacobian().fullPivLu().solve(-scene.conditions(scene.point));
   const std::vector<double*> structured = scene.unknowns(step);
   double error = 0.0;
-  for (std::size_t i = 0; i < structured.size(); ++i) error = std::max(error, std::abs(*structured[i] - dense[i]));
+  for (std::size_t i = 0; i < structured.size(); ++i)
+    error = std::max(error, std::abs(*structured[i] - dense[static_cast<Eigen::Index>(i)]));
   return error;
 }
 

@@ -14,7 +14,16 @@ namespace fourwis::ocp
 namespace
 {
 
-constexpr int NX = 3, NU = 2, NZ = NX + NU, kIntervals = 7;
+constexpr int NX = 3, NU = 2, NZ = NX + NU;
+constexpr std::size_t kIntervals = 7;
+constexpr Eigen::Index kControls = NU * kIntervals;  ///< of all intervals
+
+/// Where the controls of an interval begin among all.
+Eigen::Index first_control(std::size_t k)
+{
+  return static_cast<Eigen::Index>(k) * NU;
+}
+
 using Stages = Riccati<NX, NU>::Stages;
 using Step = std::vector<StageVariables<NX, NU>>;
 
@@ -41,28 +50,28 @@ struct Response
 
   explicit Response(const Stages& stages)
   {
-    response.push_back(Eigen::MatrixXd::Zero(NX, NU * kIntervals));
+    response.push_back(Eigen::MatrixXd::Zero(NX, kControls));
     offset.push_back(Eigen::VectorXd::Zero(NX));
-    for (int k = 0; k < kIntervals; ++k)
+    for (std::size_t k = 0; k < kIntervals; ++k)
     {
       const Matrix<NX, NZ> J = stages[k].jacobian_transposed.transpose();
       Eigen::MatrixXd next = J.leftCols<NX>() * response[k];
-      next.middleCols<NU>(NU * k) += J.rightCols<NU>();
+      next.middleCols<NU>(first_control(k)) += J.rightCols<NU>();
       response.push_back(next);
       offset.push_back(J.leftCols<NX>() * offset[k] + stages[k].defect);
     }
   }
 
   /// dz_k = matrix du + the offset.
-  Eigen::MatrixXd of_stage(int k) const
+  Eigen::MatrixXd of_stage(std::size_t k) const
   {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(NZ, NU * kIntervals);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(NZ, kControls);
     matrix.topRows<NX>() = response[k];
-    if (k < kIntervals) matrix.block<NU, NU>(NX, NU * k).setIdentity();
+    if (k < kIntervals) matrix.block<NU, NU>(NX, first_control(k)).setIdentity();
     return matrix;
   }
 
-  Vector<NZ> offset_of_stage(int k) const
+  Vector<NZ> offset_of_stage(std::size_t k) const
   {
     Vector<NZ> z = Vector<NZ>::Zero();
     z.head<NX>() = offset[k];
@@ -73,13 +82,13 @@ struct Response
 /// Hessian and gradient at du = 0 of the cost as a function of the controls alone.
 struct Condensed
 {
-  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(NU * kIntervals, NU* kIntervals);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(NU * kIntervals);
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(kControls, kControls);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(kControls);
 
   explicit Condensed(const Stages& stages)
   {
     const Response response(stages);
-    for (int k = 0; k <= kIntervals; ++k)
+    for (std::size_t k = 0; k <= kIntervals; ++k)
     {
       const Eigen::MatrixXd T = response.of_stage(k);
       hessian += T.transpose() * stages[k].hessian * T;
@@ -103,7 +112,8 @@ TEST(Riccati, EqualsTheDenseSolutionOfTheCondensedProblem)
 
     const Condensed condensed(stages);
     const Eigen::VectorXd du = condensed.hessian.fullPivLu().solve(-condensed.gradient);
-    for (int k = 0; k < kIntervals; ++k) EXPECT_LT((step[k].z.tail<NU>() - du.segment<NU>(NU * k)).norm(), 1e-10);
+    for (std::size_t k = 0; k < kIntervals; ++k)
+      EXPECT_LT((step[k].z.tail<NU>() - du.segment<NU>(first_control(k))).norm(), 1e-10);
   }
 }
 
@@ -117,7 +127,7 @@ TEST(Riccati, StepSatisfiesDynamicsAndStationarity)
   Step step(stages.size());
   riccati.solve(stages, step);
   EXPECT_EQ(step[0].z.head<NX>(), Vector<NX>::Zero());
-  for (int k = 0; k <= kIntervals; ++k)
+  for (std::size_t k = 0; k <= kIntervals; ++k)
   {
     SCOPED_TRACE(testing::Message() << "stage " << k);
     Vector<NZ> gradient = stages[k].hessian * step[k].z + stages[k].gradient;

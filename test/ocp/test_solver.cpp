@@ -138,7 +138,7 @@ TEST(Solver, LeastTimeBetweenTwoPointsIsThatOfTheBangBangMotion)
 
 TEST(Solver, CarSwingsBetweenTwoWallsHardOrElastic)
 {
-  constexpr int intervals = 40;
+  constexpr std::size_t intervals = 40;
   Car car;
   Solver<Car> solver;
   double cost[2];
@@ -158,7 +158,7 @@ TEST(Solver, CarSwingsBetweenTwoWallsHardOrElastic)
 
 TEST(Solver, RowsThatContradictEachOtherAreExceededByAsLittleAsPossible)
 {
-  constexpr int intervals = 40;
+  constexpr std::size_t intervals = 40;
   Car car;
   Problem<4, 3> problem = Car::swing(car, intervals, 100.0);
   // y <= 0.3 and y >= 0.5 at one knot: for every y in between the two are exceeded by 0.2 together.
@@ -183,7 +183,8 @@ TEST(Solver, ActiveBoundHasTheMultiplierThatTheCostLosesByIt)
     const auto& solution =
         solver.solve(Shuttle(), Shuttle::problem(1.0, acceleration, 10), Shuttle::guess(1.0, 10), options);
     double multipliers = 0.0;
-    for (int k = 0; k < 10; ++k) multipliers += solution.multipliers.lower[k][2] + solution.multipliers.upper[k][2];
+    for (std::size_t k = 0; k < 10; ++k)
+      multipliers += solution.multipliers.lower[k][2] + solution.multipliers.upper[k][2];
     return std::pair(solution.statistics.cost, multipliers);
   };
   const double step = 1e-3;

@@ -93,14 +93,14 @@ struct SpoiltShuttle : Shuttle
 {
   double cost = 0.0, defect = 0.0, gradient = 0.0, jacobian = 0.0, hessian = 0.0;
 
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
   {
     Shuttle::evaluate(k, x, u, next, value);
     value.cost += cost;
     value.defect[1] += defect;
   }
 
-  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+  void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
   {
     Shuttle::differentiate(k, x, u, lambda, d);
     d.gradient[0] += gradient;

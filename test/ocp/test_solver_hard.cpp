@@ -15,7 +15,7 @@ namespace
 /// Has no value beyond p = 0.7: the solver must step back, and cannot arrive.
 struct BrokenTrack : Shuttle
 {
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
   {
     Shuttle::evaluate(k, x, u, next, value);
     value.cost += 0.0 * std::log(0.7 - x[0]);
@@ -25,11 +25,11 @@ struct BrokenTrack : Shuttle
 TEST(SolverHard, StepsToWhereTheModelHasNoValueAreRejected)
 {
   ShuttleScene scene;
-  for (int k = 0; k <= ShuttleScene::kIntervals; ++k) scene.guess.states[k][0] *= 0.5;
+  for (std::size_t k = 0; k <= ShuttleScene::kIntervals; ++k) scene.guess.states[k][0] *= 0.5;
   const auto solution = scene.solve(BrokenTrack());
   EXPECT_NE(solution.status, Status::invalid_problem);
   EXPECT_NE(solution.status, Status::not_finite);
-  for (int k = 0; k < ShuttleScene::kIntervals; ++k) EXPECT_LT(solution.trajectory.states[k][0], 0.7);
+  for (std::size_t k = 0; k < ShuttleScene::kIntervals; ++k) EXPECT_LT(solution.trajectory.states[k][0], 0.7);
 }
 
 TEST(SolverHard, ImpossibleProblemsAreNotSolved)
@@ -54,8 +54,8 @@ TEST(SolverHard, HardRowsThatContradictEachOtherAreInfeasible)
 {
   struct Between : Shuttle
   {
-    void rows(int, const RowPoint& q, RowValues values) const { values << q[0], -q[0]; }
-    void differentiate_rows(int, const RowPoint&, RowMultipliers, Gradients gradients, RowHessian&) const
+    void rows(std::size_t, const RowPoint& q, RowValues values) const { values << q[0], -q[0]; }
+    void differentiate_rows(std::size_t, const RowPoint&, RowMultipliers, Gradients gradients, RowHessian&) const
     {
       gradients << 1.0, -1.0, 0.0, 0.0;
     }
@@ -72,12 +72,12 @@ TEST(SolverHard, HardRowsThatContradictEachOtherAreInfeasible)
 /// min sum of -u_1: no minimum.
 struct Unbounded : ModelBase<2, 2>
 {
-  void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
+  void evaluate(std::size_t, const State& x, const Control& u, const State& next, Value& value) const
   {
     value.cost = -u[0];
     value.defect = x + u - next;
   }
-  void differentiate(int, const State&, const Control&, const State&, Derivatives& d) const
+  void differentiate(std::size_t, const State&, const Control&, const State&, Derivatives& d) const
   {
     d.jacobian << 1, 0, 1, 0,  //
         0, 1, 0, 1;
@@ -106,12 +106,12 @@ TEST(SolverHard, CoincidingHugeAndOneSidedBoundsAreNoProblem)
   for (auto& bounds : scene.problem.bounds) bounds.lower[2] = -3.0, bounds.upper[2] = 3.0;
   struct Effort : Shuttle
   {
-    void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+    void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
     {
       Shuttle::evaluate(k, x, u, next, value);
       value.cost = 0.5 * u[0] * u[0];
     }
-    void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+    void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
     {
       Shuttle::differentiate(k, x, u, lambda, d);
       d.gradient << 0, 0, u[0], 0;

@@ -14,7 +14,7 @@ namespace fourwis::ocp
 namespace
 {
 
-constexpr int kIntervals = 40;
+constexpr std::size_t kIntervals = 40;
 using CarSolution = Solution<4, 3>;
 
 struct CarScene

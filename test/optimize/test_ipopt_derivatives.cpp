@@ -12,14 +12,19 @@ constexpr unsigned kSeed = 32;
 /// Functions of everything a model may depend on, different in each stage.
 struct Peculiar : ocp::ModelBase<2, 1, 3>
 {
-  void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const
+  template <typename Index>
+  static double number(Index index)
   {
-    value.cost = (k + 1) * std::sin(x[0] * u[0]) + x[1] * x[1];
-    value.defect << x[0] * std::exp(u[0]) - next[0], x[0] * x[1] * u[0] + k - next[1];
+    return static_cast<double>(index) + 1.0;
   }
-  void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+  void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
   {
-    const double c = (k + 1) * std::cos(x[0] * u[0]), s = (k + 1) * std::sin(x[0] * u[0]), e = std::exp(u[0]);
+    value.cost = number(k) * std::sin(x[0] * u[0]) + x[1] * x[1];
+    value.defect << x[0] * std::exp(u[0]) - next[0], x[0] * x[1] * u[0] + number(k) - 1.0 - next[1];
+  }
+  void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+  {
+    const double c = number(k) * std::cos(x[0] * u[0]), s = number(k) * std::sin(x[0] * u[0]), e = std::exp(u[0]);
     d.gradient << u[0] * c, 2.0 * x[1], x[0] * c;
     d.jacobian << e, 0.0, x[0] * e, x[1] * u[0], x[0] * u[0], x[0] * x[1];
     const double mixed = c - x[0] * u[0] * s + lambda[0] * e + lambda[1] * x[1];
@@ -33,16 +38,16 @@ struct Peculiar : ocp::ModelBase<2, 1, 3>
     terminal.gradient << 2.0 * x[0] * x[1], x[0] * x[0];
     terminal.hessian << 2.0 * x[1], 2.0 * x[0], 2.0 * x[0], 0.0;
   }
-  void rows(int k, const RowPoint& q, ocp::RowValues values) const
+  void rows(std::size_t k, const RowPoint& q, ocp::RowValues values) const
   {
-    for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = (k + 1.0) * (i + 1.0) * q[0] * q[1] + q[2] * q[2];
+    for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = number(k) * number(i) * q[0] * q[1] + q[2] * q[2];
   }
-  void differentiate_rows(int k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
+  void differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
                           RowHessian& hessian) const
   {
     for (Eigen::Index i = 0; i < y.size(); ++i)
     {
-      const double factor = (k + 1.0) * (i + 1.0);
+      const double factor = number(k) * number(i);
       gradients.col(i) << factor * q[1], factor * q[0], 2.0 * q[2];
       hessian(0, 1) += y[i] * factor;
       hessian(1, 0) += y[i] * factor;
@@ -73,7 +78,7 @@ TEST(IpoptDerivatives, OfAnyOptimalControlProblemMeetDifferences)
 {
   ocp::Problem<2, 1> problem;
   problem.reset(3);
-  for (int k : {0, 2, 3})
+  for (std::size_t k : {0u, 2u, 3u})
     for (double weight : {5.0, ocp::kInfinity, 7.0}) problem.add_row(k, {1.0, weight});
   const ocp::Trajectory<2, 1> guess{std::vector<ocp::Vector<2>>(4, ocp::Vector<2>::Zero()),
                                     std::vector<ocp::Vector<1>>(3, ocp::Vector<1>::Zero())};

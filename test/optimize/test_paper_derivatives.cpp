@@ -77,7 +77,7 @@ TEST_P(PaperDerivatives, AStepIsOneOfEulersRule)
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, PaperDerivatives, testing::ValuesIn(kPlannedModes),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& given) { return std::string(to_string(given.param)); });
 
 }  // namespace
 }  // namespace fourwis

@@ -242,7 +242,7 @@ TEST(PaperInfeasibility, IsTheSumOfBothDefects)
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, PaperOptimizerTest, testing::ValuesIn(kPlannedModes),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& given) { return std::string(to_string(given.param)); });
 
 }  // namespace
 }  // namespace fourwis

@@ -133,7 +133,7 @@ TEST_P(Simpson, HessianMeetsDifferencesOfTheJacobian)
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Simpson, testing::ValuesIn(kPlannedModes),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& given) { return std::string(to_string(given.param)); });
 
 }  // namespace
 }  // namespace fourwis

@@ -51,7 +51,7 @@ TEST_P(Lost, stops_it_soon_and_says_why_and_afterwards_it_drives_again)
 INSTANTIATE_TEST_SUITE_P(Things, Lost,
                          testing::Values(Loss{"lost_odometry", "pose"}, Loss{"lost_wheel_states", "wheel"},
                                          Loss{"lost_localization", "transform"}),
-                         [](const auto& info) { return info.param.fault; });
+                         [](const auto& given) { return given.param.fault; });
 
 TEST_F(Faults, a_wheel_that_does_not_align_ends_the_drive_where_it_began)
 {

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, EveryMode,
                                          Way{"lateral", {Mode::lateral}, {10.5, 13, 0.3}},
                                          Way{"parallel", {Mode::parallel}, {12, 12, 0}},
                                          Way{"any", {}, {12, 13, M_PI / 2}}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& given) { return given.param.name; });
 
 TEST_F(Driving, an_empty_trajectory_stops_it_and_the_wheels_keep_their_angles)
 {

@@ -20,7 +20,7 @@ inline std::ostream& operator<<(std::ostream& out, const Pose& pose)
 /// Where a car with turning radius `radius` ends that drives `path` from `start`.
 inline Pose drive(const ReedsSheppPath& path, Pose start = {}, double radius = 1.0)
 {
-  for (int i = 0; i < path.count; ++i)
+  for (std::size_t i = 0; i < path.count; ++i)
   {
     const ReedsSheppSegment& segment = path.segments[i];
     const double angle = segment.turn * segment.length;
@@ -60,11 +60,11 @@ inline std::vector<ReedsSheppPath> border_words(int count, unsigned seed)
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> angle(0.0, M_PI);
   const double borders[] = {0.0, M_PI / 2, M_PI, M_PI / 3, 2 * M_PI / 3, 1e-3, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
-  std::vector<ReedsSheppPath> words(count);
+  std::vector<ReedsSheppPath> words(static_cast<std::size_t>(count));
   for (ReedsSheppPath& word : words)
   {
-    word.count = 1 + static_cast<int>(random() % 5);
-    for (int i = 0; i < word.count; ++i)
+    word.count = 1 + random() % 5;
+    for (std::size_t i = 0; i < word.count; ++i)
     {
       const int turn = static_cast<int>(random() % 3) - 1;
       const double length = random() % 3 == 0 ? angle(random) : borders[random() % 11];

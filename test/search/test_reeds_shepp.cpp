@@ -38,7 +38,7 @@ std::vector<Pose> all_poses()
 std::string name(const ReedsSheppPath& path)
 {
   std::string name;
-  for (int i = 0; i < path.count; ++i)
+  for (std::size_t i = 0; i < path.count; ++i)
   {
     name += "RSL"[path.segments[i].turn + 1];
     name += path.segments[i].length > 0.0 ? '+' : '-';
@@ -57,7 +57,7 @@ TEST_F(Laws, EveryWordEndsAtTheGoal)
   for (const Pose& goal : all_poses())
   {
     reeds_shepp_words(goal, words);
-    for (int i = 0; i < words.count; ++i)
+    for (std::size_t i = 0; i < words.count; ++i)
       ASSERT_LE(error(drive(words.paths[i]), goal), accuracy) << name(words.paths[i]) << " to " << goal;
     ASSERT_LE(error(drive(shortest_reeds_shepp(goal)), goal), accuracy) << goal;
   }
@@ -68,8 +68,8 @@ TEST_F(Laws, ThereAreOneTo48WordsToEveryGoal)
   for (const Pose& goal : all_poses())
   {
     reeds_shepp_words(goal, words);
-    ASSERT_GE(words.count, 1) << goal;
-    ASSERT_LE(words.count, 48) << goal;
+    ASSERT_GE(words.count, 1u) << goal;
+    ASSERT_LE(words.count, 48u) << goal;
   }
 }
 
@@ -78,10 +78,10 @@ TEST_F(Laws, TheLengthOfAWordIsThatOfItsSegmentsAndNoArcExceedsHalfATurn)
   for (const Pose& goal : all_poses())
   {
     reeds_shepp_words(goal, words);
-    for (int i = 0; i < words.count; ++i)
+    for (std::size_t i = 0; i < words.count; ++i)
     {
       double sum = 0.0;
-      for (int k = 0; k < words.paths[i].count; ++k)
+      for (std::size_t k = 0; k < words.paths[i].count; ++k)
       {
         const ReedsSheppSegment& segment = words.paths[i].segments[k];
         ASSERT_NE(segment.length, 0.0) << goal;
@@ -99,7 +99,7 @@ TEST_F(Laws, TheShortestWordIsTheLeastOfAll)
   {
     reeds_shepp_words(goal, words);
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < words.count; ++i) least = std::min(least, words.paths[i].length);
+    for (std::size_t i = 0; i < words.count; ++i) least = std::min(least, words.paths[i].length);
     ASSERT_EQ(shortest_reeds_shepp(goal).length, least) << goal;
     ASSERT_EQ(reeds_shepp_length(goal), least) << goal;
   }
@@ -112,7 +112,7 @@ TEST_F(Laws, EachOfThe48WordsIsTheShortestSomewhere)
   {
     shortest.insert(name(shortest_reeds_shepp(goal)));
     reeds_shepp_words(goal, words);
-    for (int i = 0; i < words.count; ++i) found.insert(name(words.paths[i]));
+    for (std::size_t i = 0; i < words.count; ++i) found.insert(name(words.paths[i]));
   }
   EXPECT_EQ(shortest.size(), 48u);
   EXPECT_EQ(found, shortest);
@@ -134,7 +134,7 @@ TEST_F(Laws, TimeFlipAndReflectionOfTheGoalKeepTheWords)
   const auto mirrored_names = [this](const Pose& goal, int time, int side) {
     reeds_shepp_words(goal, words);
     std::multiset<std::string> names;
-    for (int i = 0; i < words.count; ++i)
+    for (std::size_t i = 0; i < words.count; ++i)
     {
       for (ReedsSheppSegment& segment : words.paths[i].segments) segment = {segment.turn * side, segment.length * time};
       names.insert(name(words.paths[i]));
@@ -209,7 +209,7 @@ TEST_F(Laws, AWiderTurningRadiusMakesNoWayShorter)
 TEST(ReedsShepp, NeedsNoWayToWhereItIs)
 {
   EXPECT_EQ(reeds_shepp_length({}), 0.0);
-  EXPECT_EQ(shortest_reeds_shepp({}).count, 0);
+  EXPECT_EQ(shortest_reeds_shepp({}).count, 0u);
 }
 
 TEST(ReedsShepp, DrivesStraightToWhatLiesAhead)
@@ -217,7 +217,7 @@ TEST(ReedsShepp, DrivesStraightToWhatLiesAhead)
   for (const double x : {0.1, 1.0, M_PI, 1000.0, -0.1, -1.0, -M_PI, -1000.0})
   {
     const ReedsSheppPath path = shortest_reeds_shepp({x, 0.0, 0.0});
-    ASSERT_EQ(path.count, 1) << x;
+    ASSERT_EQ(path.count, 1u) << x;
     EXPECT_EQ(path.segments[0].turn, 0) << x;
     EXPECT_NEAR(path.segments[0].length, x, 1e-12);
   }
@@ -241,9 +241,9 @@ TEST(ReedsShepp, KnowsTheHalfTurnForwardAndBackward)
   const auto names = [](const Pose& goal) {
     ReedsSheppWords words;
     reeds_shepp_words(goal, words);
-    std::set<std::string> names;
-    for (int i = 0; i < words.count; ++i) names.insert(name(words.paths[i]));
-    return names;
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < words.count; ++i) found.insert(name(words.paths[i]));
+    return found;
   };
   for (const double theta : {M_PI, -M_PI})
   {
@@ -259,8 +259,8 @@ TEST(ReedsShepp, TurnsRoundOnTheSpotInThreeArcsOfSixtyDegrees)
   for (const double theta : {M_PI, -M_PI, 3.0 * M_PI})
   {
     const ReedsSheppPath path = shortest_reeds_shepp({0.0, 0.0, theta});
-    ASSERT_EQ(path.count, 3);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::abs(path.segments[i].length), M_PI / 3.0, accuracy);
+    ASSERT_EQ(path.count, 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(std::abs(path.segments[i].length), M_PI / 3.0, accuracy);
   }
 }
 
@@ -293,7 +293,7 @@ TEST(ReedsShepp, TinyOffsetsNeedShortWays)
         const Pose goal{size * std::cos(angle), size * std::sin(angle), size * turn};
         EXPECT_LE(reeds_shepp_length(goal), 4.0 * std::sqrt(size)) << goal;
         reeds_shepp_words(goal, words);
-        for (int i = 0; i < words.count; ++i) EXPECT_LE(error(drive(words.paths[i]), goal), 1e-12) << goal;
+        for (std::size_t i = 0; i < words.count; ++i) EXPECT_LE(error(drive(words.paths[i]), goal), 1e-12) << goal;
       }
 }
 

@@ -93,7 +93,7 @@ TEST(Encoders, ThatFreezeKeepTheirReadingAndDoNotChangeTheOthers)
     const WheelMotion truth = any(random);
     free.measure(truth);
     frozen.measure(truth);
-    for (std::size_t i : {0, 1, 3}) ASSERT_EQ(frozen.measured().angle[i], free.measured().angle[i]);
+    for (std::size_t i : {0u, 1u, 3u}) ASSERT_EQ(frozen.measured().angle[i], free.measured().angle[i]);
     ASSERT_EQ(frozen.measured().angle[2], kept.angle[2]);
     ASSERT_EQ(frozen.measured().speed[2], kept.speed[2]);
   }

@@ -15,20 +15,22 @@ struct Constraints
 {
   std::vector<Bounds<NX, NU>> bounds;  ///< N + 1; infinite for what is fixed: x_0, fixed components of x_N, "u_N"
   std::vector<RowLimit> rows;
-  std::vector<int> first_row;  ///< N + 2: stage k has the rows first_row[k] .. first_row[k + 1] - 1
+  std::vector<std::size_t> first_row;  ///< N + 2: stage k has the rows first_row[k] .. first_row[k + 1] - 1
   Vector<NX> initial_state;
   Vector<NX> goal;
-  std::array<bool, NX> fixed;  ///< components of x_N
+  std::array<bool, static_cast<std::size_t>(NX)> fixed;  ///< components of x_N
 
-  int intervals() const { return static_cast<int>(bounds.size()) - 1; }
+  std::size_t intervals() const { return bounds.size() - 1; }
+
+  bool is_fixed(int i) const { return fixed[static_cast<std::size_t>(i)]; }
 
   /// Whether component i of x_k is given, not found.
-  bool is_given(int k, int i) const { return k == 0 || (k == intervals() && fixed[i]); }
+  bool is_given(std::size_t k, int i) const { return k == 0 || (k == intervals() && is_fixed(i)); }
 
   void set(const Problem<NX, NU>& problem);
 
 private:
-  void unbind(int k, int i)
+  void unbind(std::size_t k, int i)
   {
     bounds[k].lower[i] = -kInfinity;
     bounds[k].upper[i] = kInfinity;
@@ -59,16 +61,16 @@ void Constraints<NX, NU>::set(const Problem<NX, NU>& problem)
     bound.lower -= bound.lower.unaryExpr(&detail::relaxation);
     bound.upper += bound.upper.unaryExpr(&detail::relaxation);
   }
-  const int last = intervals();
+  const std::size_t last = intervals();
   for (int i = 0; i < NX; ++i)
-    for (const int k : {0, last})
+    for (const std::size_t k : {std::size_t{0}, last})
       if (is_given(k, i)) unbind(k, i);
   for (int i = NX; i < NX + NU; ++i) unbind(last, i);
 
   rows = problem.rows;
   for (RowLimit& row : rows) row.upper += detail::relaxation(row.upper);
   first_row.assign(1, 0);
-  for (const int count : problem.row_counts) first_row.push_back(first_row.back() + count);
+  for (const int count : problem.row_counts) first_row.push_back(first_row.back() + static_cast<std::size_t>(count));
 }
 
 /// Whether sizes fit, given states are finite, lower <= upper, weights are positive, and row limits are finite. Each stage
@@ -76,10 +78,10 @@ void Constraints<NX, NU>::set(const Problem<NX, NU>& problem)
 template <int NX, int NU>
 bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
 {
-  if (problem.intervals() < 1 || problem.row_counts.size() != problem.bounds.size()) return false;
+  if (problem.bounds.size() < 2 || problem.row_counts.size() != problem.bounds.size()) return false;
   if (!problem.initial_state.allFinite()) return false;
   for (int i = 0; i < NX; ++i)
-    if (problem.terminal_fixed[i] && !std::isfinite(problem.terminal_state[i])) return false;
+    if (problem.terminal_fixed[static_cast<std::size_t>(i)] && !std::isfinite(problem.terminal_state[i])) return false;
   for (const Bounds<NX, NU>& bound : problem.bounds)
     if (!((bound.lower.array() <= bound.upper.array()) && (bound.lower.array() < kInfinity) &&
           (bound.upper.array() > -kInfinity))
@@ -90,7 +92,7 @@ bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
   {
     const int count = problem.row_counts[k];
     if (count < (k + 1 < problem.row_counts.size() ? wide_rows : 0)) return false;
-    rows += count;
+    rows += static_cast<std::size_t>(count);
   }
   return rows == problem.rows.size() && std::all_of(problem.rows.begin(), problem.rows.end(), [](const RowLimit& row) {
            return std::isfinite(row.upper) && row.weight > 0.0;
@@ -98,10 +100,9 @@ bool is_valid(const Problem<NX, NU>& problem, int wide_rows = 0)
 }
 
 template <int NX, int NU>
-bool has_size(const Trajectory<NX, NU>& trajectory, int intervals)
+bool has_size(const Trajectory<NX, NU>& trajectory, std::size_t intervals)
 {
-  return static_cast<int>(trajectory.states.size()) == intervals + 1 &&
-         static_cast<int>(trajectory.controls.size()) == intervals;
+  return trajectory.states.size() == intervals + 1 && trajectory.controls.size() == intervals;
 }
 
 template <int NX, int NU>

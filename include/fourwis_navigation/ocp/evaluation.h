@@ -68,11 +68,12 @@ template <class Model, class Iterate, class Constraints>
 void evaluate_rows(const Model& model, const Constraints& constraints, const Iterate& at,
                    Values<Model::kStates>& values)
 {
-  for (int k = 0; k <= constraints.intervals(); ++k)
+  for (std::size_t k = 0; k <= constraints.intervals(); ++k)
   {
-    const int first = constraints.first_row[k], end = constraints.first_row[k + 1];
+    const std::size_t first = constraints.first_row[k], end = constraints.first_row[k + 1];
     if (first == end) continue;
-    model.rows(k, at.stages[k].z.template head<Model::kRowPoint>(), {&values.rows[first], end - first});
+    model.rows(k, at.stages[k].z.template head<Model::kRowPoint>(),
+               {&values.rows[first], static_cast<Eigen::Index>(end - first)});
   }
   for (std::size_t i = 0; i < at.rows.size(); ++i)
     values.residuals.rows[i] = values.rows[i] - constraints.rows[i].upper - at.rows[i].excess + at.rows[i].slack;
@@ -84,9 +85,9 @@ void evaluate_rows(const Model& model, const Constraints& constraints, const Ite
 template <class Model, class Iterate, class Constraints>
 void evaluate(const Model& model, const Constraints& constraints, const Iterate& at, Values<Model::kStates>& values)
 {
-  const int last = constraints.intervals();
+  const std::size_t last = constraints.intervals();
   values.cost = model.terminal_cost(detail::state(at.stages[last]));
-  for (int k = 0; k < last; ++k)
+  for (std::size_t k = 0; k < last; ++k)
   {
     typename Model::Value value;
     model.evaluate(k, detail::state(at.stages[k]), detail::control(at.stages[k]), detail::state(at.stages[k + 1]),
@@ -95,7 +96,7 @@ void evaluate(const Model& model, const Constraints& constraints, const Iterate&
     values.residuals.defects[k] = value.defect;
   }
   for (int i = 0; i < Model::kStates; ++i)
-    values.residuals.terminal[i] = constraints.fixed[i] ? at.stages[last].z[i] - constraints.goal[i] : 0.0;
+    values.residuals.terminal[i] = constraints.is_fixed(i) ? at.stages[last].z[i] - constraints.goal[i] : 0.0;
   detail::evaluate_rows(model, constraints, at, values);
 }
 
@@ -113,9 +114,7 @@ void differentiate_stages(const Model& model, const Iterate& at, Derivatives<Mod
     stage.jacobian.setZero();
     stage.gradient.setZero();
     stage.hessian.setZero();
-    if (k < last)
-      model.differentiate(static_cast<int>(k), state(at.stages[k]), control(at.stages[k]), at.stages[k + 1].lambda,
-                          stage);
+    if (k < last) model.differentiate(k, state(at.stages[k]), control(at.stages[k]), at.stages[k + 1].lambda, stage);
   }
   typename Model::Terminal terminal{Vector<NX>::Zero(), Matrix<NX, NX>::Zero()};
   model.differentiate_terminal(state(at.stages[last]), terminal);
@@ -128,18 +127,19 @@ void differentiate_rows(const Model& model, const Constraints& constraints, cons
                         Derivatives<Model>& derivatives)
 {
   constexpr int NQ = Model::kRowPoint;
-  for (int k = 0; k <= constraints.intervals(); ++k)
+  for (std::size_t k = 0; k <= constraints.intervals(); ++k)
   {
-    const int first = constraints.first_row[k], end = constraints.first_row[k + 1];
+    const std::size_t first = constraints.first_row[k], end = constraints.first_row[k + 1];
     if (first == end) continue;
-    for (int i = first; i < end; ++i)
+    const Eigen::Index count = static_cast<Eigen::Index>(end - first);
+    for (std::size_t i = first; i < end; ++i)
     {
       y[i] = at.rows[i].multiplier;
       derivatives.rows[i].setZero();
     }
     typename Model::RowHessian hessian = Model::RowHessian::Zero();
-    model.differentiate_rows(k, at.stages[k].z.template head<NQ>(), {&y[first], end - first},
-                             {derivatives.rows[first].data(), NQ, end - first}, hessian);
+    model.differentiate_rows(k, at.stages[k].z.template head<NQ>(), {&y[first], count},
+                             {derivatives.rows[first].data(), NQ, count}, hessian);
     derivatives.stages[k].hessian.template topLeftCorner<NQ, NQ>() += hessian;
   }
 }

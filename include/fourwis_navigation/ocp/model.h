@@ -41,13 +41,13 @@ using RowGradients = Eigen::Map<Eigen::Matrix<double, NR, Eigen::Dynamic>>;
 /// model, so a model declares anew what it has.
 ///
 /// A model must have, for 0 <= k < N,
-///   void evaluate(int k, const State& x, const Control& u, const State& next, Value& value) const;
-///   void differentiate(int k, const State& x, const Control& u, const State& lambda, Derivatives& derivatives) const;
+///   void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const;
+///   void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& derivatives) const;
 /// where the dynamics are given as their defect F_k(x, u) - next (so that an angle may be wrapped there), and may have
 ///   double terminal_cost(const State& x) const;
 ///   void differentiate_terminal(const State& x, Terminal& terminal) const;
-///   void rows(int k, const RowPoint& q, RowValues values) const;
-///   void differentiate_rows(int k, const RowPoint& q, RowMultipliers y, Gradients gradients,
+///   void rows(std::size_t k, const RowPoint& q, RowValues values) const;
+///   void differentiate_rows(std::size_t k, const RowPoint& q, RowMultipliers y, Gradients gradients,
 ///                           RowHessian& hessian) const;
 /// for the rows g_i(q) of stages 0 <= k <= N with rows, q being the first NR components of (x_k, u_k),
 /// `gradients.col(i)` = dg_i/dq and `hessian` = sum_i y_i d2g_i/dq2. At k = N the controls in q are 0 and must not
@@ -78,8 +78,8 @@ struct ModelBase
 
   double terminal_cost(const State&) const { return 0.0; }
   void differentiate_terminal(const State&, Terminal&) const {}
-  void rows(int, const RowPoint&, RowValues) const {}
-  void differentiate_rows(int, const RowPoint&, RowMultipliers, Gradients, RowHessian&) const {}
+  void rows(std::size_t, const RowPoint&, RowValues) const {}
+  void differentiate_rows(std::size_t, const RowPoint&, RowMultipliers, Gradients, RowHessian&) const {}
 };
 
 }  // namespace fourwis::ocp

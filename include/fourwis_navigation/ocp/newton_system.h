@@ -77,9 +77,9 @@ private:
 
   /// Calls visit(i, v) for the rows of stage k; the row's gradient is zero beyond the first v components.
   template <class Visit>
-  void for_rows(int k, Visit visit) const;
+  void for_rows(std::size_t k, Visit visit) const;
 
-  void add_row_hessians(int k);
+  void add_row_hessians(std::size_t k);
   void set_gradients(const Residuals<NX>& residuals);
   void finish_step(const Residuals<NX>& residuals, Point& step) const;
 
@@ -103,7 +103,7 @@ void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const 
   mu_ = mu;
   delta_ = delta;
   aim_ = aim;
-  for (int k = 0; k <= limits.intervals(); ++k)
+  for (std::size_t k = 0; k <= limits.intervals(); ++k)
   {
     const auto& variables = at.stages[k];
     auto& stage = stages_[k];
@@ -117,24 +117,24 @@ void NewtonSystem<Model>::assemble(const Limits& limits, const Point& at, const 
     add_row_hessians(k);
   }
   for (int i = 0; i < NX; ++i)
-    if (limits.fixed[i]) stages_[limits.intervals()].hessian(i, i) += 1.0 / delta;
+    if (limits.is_fixed(i)) stages_[limits.intervals()].hessian(i, i) += 1.0 / delta;
 }
 
 template <class Model>
 template <class Visit>
-void NewtonSystem<Model>::for_rows(int k, Visit visit) const
+void NewtonSystem<Model>::for_rows(std::size_t k, Visit visit) const
 {
-  int i = limits_->first_row[k];
+  std::size_t i = limits_->first_row[k];
   if (k < limits_->intervals())
-    for (const int narrow = i + Model::kWideRows; i < narrow; ++i) visit(i, Width<NZ>());
+    for (const std::size_t narrow = i + std::size_t{Model::kWideRows}; i < narrow; ++i) visit(i, Width<NZ>());
   for (; i < limits_->first_row[k + 1]; ++i) visit(i, Width<NR>());
 }
 
 template <class Model>
-void NewtonSystem<Model>::add_row_hessians(int k)
+void NewtonSystem<Model>::add_row_hessians(std::size_t k)
 {
   auto& hessian = stages_[k].hessian;
-  for_rows(k, [&](int i, auto width) {
+  for_rows(k, [&](std::size_t i, auto width) {
     constexpr int n = decltype(width)::value;
     rows_[i] = RowElimination(at_->rows[i], mu_);
     const Vector<n> gradient = derivatives_->rows[i].template head<n>();
@@ -145,8 +145,8 @@ void NewtonSystem<Model>::add_row_hessians(int k)
 template <class Model>
 void NewtonSystem<Model>::set_gradients(const Residuals<NX>& residuals)
 {
-  const int last = limits_->intervals();
-  for (int k = 0; k <= last; ++k)
+  const std::size_t last = limits_->intervals();
+  for (std::size_t k = 0; k <= last; ++k)
   {
     const Vector<NZ>& z = at_->stages[k].z;
     auto& stage = stages_[k];
@@ -154,14 +154,14 @@ void NewtonSystem<Model>::set_gradients(const Residuals<NX>& residuals)
     stage.gradient.array() =
         mu_ / (limits_->bounds[k].upper - z).array() - mu_ / (z - limits_->bounds[k].lower).array();
     if (aim_ == Aim::optimality) stage.gradient += derivatives_->stages[k].gradient;
-    for_rows(k, [&](int i, auto width) {
+    for_rows(k, [&](std::size_t i, auto width) {
       constexpr int n = decltype(width)::value;
       stage.gradient.template head<n>() +=
           rows_[i].multiplier(at_->rows[i], residuals.rows[i]) * derivatives_->rows[i].template head<n>();
     });
   }
   for (int i = 0; i < NX; ++i)
-    if (limits_->fixed[i]) stages_[last].gradient[i] += at_->nu[i] + residuals.terminal[i] / delta_;
+    if (limits_->is_fixed(i)) stages_[last].gradient[i] += at_->nu[i] + residuals.terminal[i] / delta_;
 }
 
 template <class Model>
@@ -176,8 +176,8 @@ void NewtonSystem<Model>::solve(const Residuals<NX>& residuals, Point& step)
 template <class Model>
 void NewtonSystem<Model>::finish_step(const Residuals<NX>& residuals, Point& step) const
 {
-  const int last = limits_->intervals();
-  for (int k = 0; k <= last; ++k)
+  const std::size_t last = limits_->intervals();
+  for (std::size_t k = 0; k <= last; ++k)
   {
     const auto& variables = at_->stages[k];
     const auto dz = step.stages[k].z.array();
@@ -185,14 +185,14 @@ void NewtonSystem<Model>::finish_step(const Residuals<NX>& residuals, Point& ste
     step.stages[k].lambda -= variables.lambda;
     step.stages[k].lower = (mu_ - zl * dz) / (variables.z - limits_->bounds[k].lower).array() - zl;
     step.stages[k].upper = (mu_ + zu * dz) / (limits_->bounds[k].upper - variables.z).array() - zu;
-    for_rows(k, [&](int i, auto width) {
+    for_rows(k, [&](std::size_t i, auto width) {
       constexpr int n = decltype(width)::value;
       const double change = derivatives_->rows[i].template head<n>().dot(step.stages[k].z.template head<n>());
       step.rows[i] = rows_[i].step(at_->rows[i], mu_, residuals.rows[i] + change);
     });
   }
   for (int i = 0; i < NX; ++i)
-    step.nu[i] = limits_->fixed[i] ? (step.stages[last].z[i] + residuals.terminal[i]) / delta_ : 0.0;
+    step.nu[i] = limits_->is_fixed(i) ? (step.stages[last].z[i] + residuals.terminal[i]) / delta_ : 0.0;
 }
 
 }  // namespace fourwis::ocp

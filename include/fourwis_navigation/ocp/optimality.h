@@ -70,21 +70,22 @@ namespace detail
 
 /// Gradient of the Lagrangian with respect to z_k, the bounds' part included.
 template <class Model, class Iterate>
-auto lagrangian_gradient(const Derivatives<Model>& derivatives, const Iterate& at, int k, int first_row, int end_row)
+auto lagrangian_gradient(const Derivatives<Model>& derivatives, const Iterate& at, std::size_t k, std::size_t first_row,
+                         std::size_t end_row)
 {
   constexpr int NX = Model::kStates, NU = Model::kControls;
   const auto& stage = at.stages[k];
   Vector<NX + NU> gradient = derivatives.stages[k].gradient - stage.lower + stage.upper;
-  if (k + 1 < static_cast<int>(at.stages.size()))
+  if (k + 1 < at.stages.size())
     gradient.noalias() += derivatives.stages[k].jacobian.transpose() * at.stages[k + 1].lambda;
   gradient.template head<NX>() -= stage.lambda;
-  for (int i = first_row; i < end_row; ++i)
+  for (std::size_t i = first_row; i < end_row; ++i)
     gradient.template head<Model::kRowPoint>() += at.rows[i].multiplier * derivatives.rows[i];
   return gradient;
 }
 
 template <class Constraints, class Iterate>
-void add_bounds(const Constraints& constraints, const Iterate& at, int k, Optimality& optimality)
+void add_bounds(const Constraints& constraints, const Iterate& at, std::size_t k, Optimality& optimality)
 {
   const auto& stage = at.stages[k];
   const auto& bounds = constraints.bounds[k];
@@ -110,10 +111,10 @@ Optimality optimality(const Constraints& constraints, const Iterate& at, const V
 {
   constexpr int NX = Model::kStates, NU = Model::kControls;
   Optimality result;
-  const int last = constraints.intervals();
-  for (int k = 0; k <= last; ++k)
+  const std::size_t last = constraints.intervals();
+  for (std::size_t k = 0; k <= last; ++k)
   {
-    const int first = constraints.first_row[k], end = constraints.first_row[k + 1];
+    const std::size_t first = constraints.first_row[k], end = constraints.first_row[k + 1];
     auto gradient = detail::lagrangian_gradient(derivatives, at, k, first, end);
     if (k == last) gradient.template head<NX>() += at.nu;
     if (k > 0)
@@ -125,7 +126,7 @@ Optimality optimality(const Constraints& constraints, const Iterate& at, const V
     if (k > 0)
       for (int i = 0; i < NX; ++i) result.add_equality_multiplier(at.stages[k].lambda[i]);
     detail::add_bounds(constraints, at, k, result);
-    for (int i = first; i < end; ++i)
+    for (std::size_t i = first; i < end; ++i)
       detail::add_row(at.rows[i], values.residuals.rows[i], std::isfinite(constraints.rows[i].weight), result);
   }
   for (int i = 0; i < NX; ++i) result.add_residual(values.residuals.terminal[i]);

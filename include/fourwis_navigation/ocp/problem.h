@@ -29,16 +29,18 @@ template <int NX, int NU>
 struct Problem
 {
   Vector<NX> initial_state = Vector<NX>::Zero();
-  std::array<bool, NX> terminal_fixed = {};  ///< which components of x_N equal those of `terminal_state`
+  std::array<bool, static_cast<std::size_t>(NX)> terminal_fixed =
+      {};  ///< which components of x_N equal those of `terminal_state`
   Vector<NX> terminal_state = Vector<NX>::Zero();
   std::vector<Bounds<NX, NU>> bounds;  ///< N + 1; not applied to x_0, fixed components of x_N and "u_N"
   std::vector<int> row_counts;         ///< N + 1: number of rows of each stage
   std::vector<RowLimit> rows;          ///< stage by stage
 
-  int intervals() const { return static_cast<int>(bounds.size()) - 1; }
+  /// N; the problem must have bounds.
+  std::size_t intervals() const { return bounds.size() - 1; }
 
   /// N intervals without bounds, rows and terminal condition. Keeps the storage.
-  void reset(int intervals)
+  void reset(std::size_t intervals)
   {
     terminal_fixed.fill(false);
     bounds.assign(intervals + 1, {});
@@ -47,7 +49,7 @@ struct Problem
   }
 
   /// Appends a row to stage k; stages must be filled in ascending order.
-  void add_row(int k, const RowLimit& limit)
+  void add_row(std::size_t k, const RowLimit& limit)
   {
     ++row_counts[k];
     rows.push_back(limit);

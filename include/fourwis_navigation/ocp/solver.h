@@ -38,12 +38,12 @@ struct Solution
 ///
 ///   struct Shuttle : ocp::ModelBase<2, 2>  // x = (p, v), u = (a, h)
 ///   {
-///     void evaluate(int, const State& x, const Control& u, const State& next, Value& value) const
+///     void evaluate(std::size_t, const State& x, const Control& u, const State& next, Value& value) const
 ///     {
 ///       value.cost = u[1];
 ///       value.defect << x[0] + u[1] * x[1] + 0.5 * u[0] * u[1] * u[1] - next[0], x[1] + u[0] * u[1] - next[1];
 ///     }
-///     void differentiate(int, const State& x, const Control& u, const State& lambda, Derivatives& d) const
+///     void differentiate(std::size_t, const State& x, const Control& u, const State& lambda, Derivatives& d) const
 ///     {
 ///       const double a = u[0], h = u[1];
 ///       d.jacobian << 1, h, 0.5 * h * h, x[1] + a * h,  //

@@ -40,7 +40,7 @@ void Solver<Model>::set_up(const Problem& problem)
   derivatives_.resize(intervals + 1, rows);
   newton_.resize(intervals + 1, rows);
   row_multipliers_.resize(rows);
-  filter_.reserve(options_.max_iterations + 1);
+  filter_.reserve(static_cast<std::size_t>(options_.max_iterations) + 1);
 }
 
 template <class Model>
@@ -103,13 +103,13 @@ Status Solver<Model>::failure(Status status) const
 template <class Model>
 void Solver<Model>::report()
 {
-  const int last = constraints_.intervals();
+  const std::size_t last = constraints_.intervals();
   Trajectory& trajectory = solution_.trajectory;
   Multipliers& multipliers = solution_.multipliers;
   trajectory.states.resize(last + 1);
   trajectory.controls.resize(last);
   multipliers.resize(last, current_.rows.size());
-  for (int k = 0; k <= last; ++k)
+  for (std::size_t k = 0; k <= last; ++k)
   {
     const auto& stage = current_.stages[k];
     trajectory.states[k] = detail::state(stage);

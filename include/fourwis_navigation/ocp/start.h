@@ -64,8 +64,8 @@ template <int NX, int NU>
 void start_primal(const Constraints<NX, NU>& constraints, const Trajectory<NX, NU>& guess, double push,
                   Iterate<NX, NU>& start)
 {
-  const int last = constraints.intervals();
-  for (int k = 0; k <= last; ++k)
+  const std::size_t last = constraints.intervals();
+  for (std::size_t k = 0; k <= last; ++k)
   {
     Vector<NX + NU>& z = start.stages[k].z;
     z.template head<NX>() = k == 0 ? constraints.initial_state : guess.states[k];
@@ -103,7 +103,7 @@ void start_equality_multipliers(const Constraints<NX, NU>& constraints, const Mu
       start.stages[k].lambda = given->dynamics[k - 1];
     else
       start.stages[k].lambda.setZero();
-  for (int i = 0; i < NX; ++i) start.nu[i] = given && constraints.fixed[i] ? given->terminal[i] : 0.0;
+  for (int i = 0; i < NX; ++i) start.nu[i] = given && constraints.is_fixed(i) ? given->terminal[i] : 0.0;
 }
 
 /// Sets the variables of the rows from their values, and makes their residuals agree.

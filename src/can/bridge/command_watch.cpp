@@ -37,7 +37,7 @@ bool CommandWatch::is_valid(const WheelCommand& command) const
 {
   if (!is_mode(command.mode)) return false;
   if (command.mode == Mode::none) return true;
-  for (int i = 0; i < kWheels; ++i)
+  for (std::size_t i = 0; i < kWheels; ++i)
   {
     // Written so that NaN, too, is refused.
     if (!(std::abs(command.motion.angle[i]) <= max_angle_ + kAngleSlack)) return false;

@@ -28,7 +28,7 @@ void Setpoint::approach(const WheelMotion& target, double duration)
   limit_speeds(wanted, max_speed_);
   const double gap = greatest_gap(wanted.speed, now_.speed);
   const double share = gap > change ? change / gap : 1.0;
-  for (int i = 0; i < kWheels; ++i)
+  for (std::size_t i = 0; i < kWheels; ++i)
   {
     const double angle = std::clamp(wanted.angle[i], -max_angle_, max_angle_);
     now_.angle[i] += std::clamp(angle - now_.angle[i], -turn, turn);

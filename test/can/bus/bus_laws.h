@@ -75,10 +75,11 @@ TYPED_TEST_P(BusLaws, EveryOtherEndGetsEveryFrameOnceInOrderAndNoneComesBack)
   std::vector<std::unique_ptr<Bus>> ends;
   for (int i = 0; i < 4; ++i) ends.push_back(this->rig.open());
   for (int n = 0; n < 100; ++n)
-    for (int sender = 0; sender < 2; ++sender)
+    for (std::size_t sender = 0; sender < 2; ++sender)
     {
-      ASSERT_EQ(ends[sender]->send(numbered(sender, n)), BusStatus::ok) << ends[sender]->last_error();
-      for (int other = 1; other < 4; ++other) EXPECT_EQ(next_frame(*ends[(sender + other) % 4]), numbered(sender, n));
+      const Frame frame = numbered(static_cast<int>(sender), n);
+      ASSERT_EQ(ends[sender]->send(frame), BusStatus::ok) << ends[sender]->last_error();
+      for (std::size_t other = 1; other < 4; ++other) EXPECT_EQ(next_frame(*ends[(sender + other) % 4]), frame);
     }
   for (const auto& end : ends) expect_silence(*end);
   EXPECT_EQ(ends[0]->counters().sent, 100u);

@@ -102,7 +102,7 @@ TEST(DisciplinedMemoryBus, CarriesNoMoreThanItsBitRate)
   double now = 0.0, carried = 0.0;
   for (int step = 0; step < 20000; ++step)
   {
-    const int i = random.whole(0, 2);
+    const std::size_t i = static_cast<std::size_t>(random.whole(0, 2));
     const Frame next{static_cast<std::uint32_t>(i), random.chance(0.5), false, false, 1, {sent[i]}};
     if (senders[i]->send(next) == BusStatus::ok) ++sent[i];
     now += random.between(0.0, 2e-4);

@@ -38,7 +38,10 @@ public:
   void bring_up() { fs::remove(ends()); }
 
   fs::path ends() const { return fs::path(directory_.path()) / "fourwis_can" / "test"; }
-  std::size_t files() const { return std::distance(fs::directory_iterator(ends()), fs::directory_iterator()); }
+  std::size_t files() const
+  {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(ends()), fs::directory_iterator()));
+  }
 
 private:
   TemporaryDirectory directory_;
@@ -128,7 +131,7 @@ TEST_F(UnixBusTest, HoldsSomeCyclesForAnEndThatIsBusy)
 }
 
 /// One of several ends that all send `frames` frames at once, and never more than a window ahead of what they have read.
-void take_part(Bus& bus, int self, int ends, int frames)
+void take_part(Bus& bus, std::size_t self, std::size_t ends, int frames)
 {
   constexpr int kWindow = 50;
   std::vector<int> read(ends, 0);
@@ -149,7 +152,7 @@ void take_part(Bus& bus, int self, int ends, int frames)
       ++sent;
     }
     if (bus.receive(frame) != BusStatus::ok) continue;
-    ASSERT_NE(static_cast<int>(frame.id), self);
+    ASSERT_NE(frame.id, self);
     ASSERT_EQ(frame.data[0] + 256 * frame.data[1], read[frame.id]++);
   }
 }
@@ -160,7 +163,7 @@ TEST_F(UnixBusTest, LosesNothingWhileManySendAndOthersComeAndGo)
   std::vector<std::unique_ptr<Bus>> ends;
   for (int i = 0; i < kEnds; ++i) ends.push_back(rig.open());
   std::vector<std::thread> threads;
-  for (int i = 0; i < kEnds; ++i) threads.emplace_back([&, i] { take_part(*ends[i], i, kEnds, kFrames); });
+  for (std::size_t i = 0; i < kEnds; ++i) threads.emplace_back([&, i] { take_part(*ends[i], i, kEnds, kFrames); });
   for (int n = 0; n < 100; ++n) EXPECT_TRUE(rig.open()->recover());
   for (std::thread& thread : threads) thread.join();
   for (const auto& end : ends) EXPECT_EQ(end->counters().dropped, 0u);
@@ -194,7 +197,7 @@ TEST_F(UnixBusTest, IgnoresGarbage)
   {
     unsigned char bytes[64];
     for (unsigned char& byte : bytes) byte = static_cast<unsigned char>(random.whole(0, 255));
-    const int size = random.chance(0.5) ? 24 : random.whole(1, 64);
+    const std::size_t size = random.chance(0.5) ? 24 : static_cast<std::size_t>(random.whole(1, 64));
     if (send(rogue, bytes, size, MSG_DONTWAIT) < 0) break;
     Frame frame;
     const bool received = end->receive(frame) == BusStatus::ok;

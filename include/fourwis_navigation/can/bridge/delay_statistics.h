@@ -29,7 +29,8 @@ public:
     const double wanted = share * static_cast<double>(count_);
     std::uint64_t below = 0;
     for (std::size_t i = 0; i < counts_.size(); ++i)
-      if ((below += counts_[i]) >= wanted && below > 0) return std::min(longest_, kBin * static_cast<double>(i + 1));
+      if (static_cast<double>(below += counts_[i]) >= wanted && below > 0)
+        return std::min(longest_, kBin * static_cast<double>(i + 1));
     return longest_;
   }
 
