@@ -25,15 +25,17 @@ public:
     for (Frame frame; end_.receive(frame) == BusStatus::ok;) obey(frame);
     if (ms_ - commanded_ > 500) speed = yaw = lateral = 0;
     if (silent) return;
-    if (ms_ % 100 == 0) end_.send(frame_of(0x211, {vehicle, in_control ? 1 : 3, 0x01, 0xE0, 0, errors, 0, 0}));
+    if (ms_ % 100 == 0 && tells_state)
+      end_.send(frame_of(0x211, {vehicle, in_control ? 1 : 3, 0x01, 0xE0, 0, errors, 0, 0}));
     if (ms_ % 20 == 0) report();
   }
 
   bool changing() const { return ms_ - mode_changed_ < 500; }
 
   int mode = 0, vehicle = 0, errors = 0;
-  bool in_control = false, silent = false, jammed = false;
-  bool tells_mode = true;
+  bool in_control = false, silent = false;
+  bool jammed = false, blocked = false;  ///< its wheels do not turn, do not roll
+  bool tells_mode = true, tells_state = true;
   int motions = 0;                                    ///< commands of motion so far
   int speed = 0, yaw = 0, lateral = 0, steering = 0;  ///< as commanded last [0.001]
 
@@ -65,7 +67,7 @@ private:
   {
     const auto [angle, v] = wheels();
     end_.send(words(0x271, angle));
-    end_.send(words(0x281, v));
+    end_.send(words(0x281, blocked ? std::array<int, 4>{} : v));
     if (tells_mode) end_.send(frame_of(0x291, {mode, changing() ? 1 : 0, 0, 0, 0, 0, 0, 0}));
   }
 

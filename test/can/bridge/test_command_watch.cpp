@@ -70,6 +70,21 @@ TEST_F(Commands, TheSequenceWrapsAroundAndMayBeginAnew)
   EXPECT_EQ(watch_.take(command(1), 0.03, 0.03), Verdict::taken);
 }
 
+TEST_F(Commands, ASequenceThatIsFarBehindIsThatOfANewSender)
+{
+  EXPECT_EQ(watch_.take(command(1000), 0.0, 0.0), Verdict::taken);
+  EXPECT_EQ(watch_.take(command(901), 0.01, 0.01), Verdict::overtaken) << "99 behind";
+  EXPECT_EQ(watch_.take(command(900), 0.01, 0.01), Verdict::taken);
+}
+
+TEST_F(Commands, AfterOneThatIsExpiredOrForgottenAnySequenceIsTaken)
+{
+  EXPECT_EQ(watch_.take(command(5), 0.0, 0.0), Verdict::taken);
+  EXPECT_EQ(watch_.take(command(4), 0.16, 0.16), Verdict::taken);
+  watch_.forget();
+  EXPECT_EQ(watch_.take(command(4), 0.17, 0.17), Verdict::taken);
+}
+
 TEST_F(Commands, NonsenseIsRefused)
 {
   const double inf = std::numeric_limits<double>::infinity();

@@ -116,6 +116,19 @@ TEST_F(InterlockedWheels, SmoothSteeringAndACuspDoNotInterruptTheMotion)
   }
 }
 
+TEST_F(InterlockedWheels, OnlyAJumpOf20DegreesInterruptsTheMotion)
+{
+  time_until(command(Mode::ackermann, 0.0, 0.5), [&] { return speed() >= 0.5; });
+  constexpr double kDegree = M_PI / 180.0;
+  for (int i = 0; i < 50; ++i)
+  {
+    cycle(command(Mode::ackermann, 19.0 * kDegree, 0.5));
+    EXPECT_FALSE(interlock_.holding());
+  }
+  cycle(command(Mode::ackermann, (19.0 + 21.0) * kDegree, 0.5));
+  EXPECT_TRUE(interlock_.holding());
+}
+
 TEST_F(InterlockedWheels, NoModeStopsByTheRampAndHoldsTheAngles)
 {
   time_until(command(Mode::ackermann, 0.2, 1.0), [&] { return speed() >= 1.0; });
@@ -144,6 +157,34 @@ TEST_F(InterlockedWheels, ThatDoNotComeToRestAreOverdueAndNeverTurned)
   time_until(command(Mode::none, 0.0, 0.0), [&] { return !interlock_.overdue(); });
   for (int i = 0; i < 1000; ++i) cycle(command(Mode::none, 0.0, 0.0));
   EXPECT_FALSE(interlock_.overdue());
+}
+
+/// Wheels that are held fast stand, but will roll as soon as they are free.
+TEST_F(InterlockedWheels, AreNotTurnedAsLongAsTheyAreToldToRoll)
+{
+  const WheelCommand go = command(Mode::ackermann, 0.0, 0.5);
+  time_until(go, [&] { return speed() >= 0.5; });
+  stuck_ = true;
+  wheels_.speed.fill(0.0);
+  for (int i = 0; i < 50; ++i) cycle(go);
+  double stood = 0.0;
+  while (setpoint_.value().angle[0] == 0.0 && now_ < 5.0)
+  {
+    cycle(command(Mode::lateral, 1.5, 0.5));
+    const bool stands = greatest_magnitude(setpoint_.value().speed) <= kOptions.standstill_speed;
+    EXPECT_TRUE(setpoint_.value().angle[0] == 0.0 || stood >= kOptions.standstill_time - 2 * kCycle);
+    stood = stands ? stood + kCycle : 0.0;
+  }
+  EXPECT_GT(stood, 0.0);
+}
+
+/// A base that steers by itself may have turned its wheels already.
+TEST_F(InterlockedWheels, AreNotAlignedBeforeTheyHaveBeenToldTheirAngles)
+{
+  stuck_ = true;
+  wheels_.angle.fill(1.5);
+  while (!interlock_.aligned() && now_ < 5.0) cycle(command(Mode::lateral, 1.5, 0.5));
+  EXPECT_NEAR(setpoint_.value().angle[0], 1.5, kOptions.aligned_tolerance);
 }
 
 }  // namespace

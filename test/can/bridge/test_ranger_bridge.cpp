@@ -251,6 +251,41 @@ TEST_F(RangerBridge, SteeringThatIsStuckWhileItRollsIsAFault)
   EXPECT_FALSE(is_moving());
 }
 
+/// Commands are no closer together than 15 ms; a stop does not wait for that.
+TEST_F(RangerBridge, AStopIsSentAtOnceAfterACommand)
+{
+  enable();
+  command(Mode::ackermann, 0.4, 0.0);
+  pass(2.0);
+  const int before = ranger_.motions;
+  ASSERT_TRUE(wait_for([&] { return ranger_.motions > before; }));
+  ASSERT_TRUE(is_moving());
+  bridge_.press_emergency_stop(true, now());
+  tick();
+  EXPECT_FALSE(is_moving());
+}
+
+TEST_F(RangerBridge, HoweverOftenItIsCommandedItsOwnFramesKeepTheirPace)
+{
+  enable();
+  for (const double v : {0.4, 0.0})
+  {
+    command(Mode::ackermann, v, 0.0);
+    pass(2.0);
+    commands_ = false;
+    const int before = ranger_.motions;
+    for (int i = 0; i < 300; ++i)
+    {
+      ++wanted_.sequence;
+      bridge_.command(wanted_, now(), now());
+      pass(0.003);
+    }
+    EXPECT_LE(ranger_.motions - before, 0.9 / 0.015 + 1.0);
+    EXPECT_GE(ranger_.motions - before, 0.9 / 0.020) << "what the base wants";
+    EXPECT_EQ(bridge_.report().stage, BridgeStage::enabled) << cause();
+  }
+}
+
 TEST_F(RangerBridge, AfterALostLinkItIsToldToStandAtOnce)
 {
   enable();
@@ -274,6 +309,15 @@ TEST_F(RangerBridge, IsNotStartedBeforeItHasToldItsMode)
   EXPECT_EQ(fault(), Fault::boot_timeout) << cause();
 }
 
+TEST_F(RangerBridge, NothingIsSaidBeforeItHasListened)
+{
+  ticks_ = 5000;
+  pass(0.1);
+  EXPECT_EQ(bridge_.outbox().sent(), 0u);
+  pass(0.1);
+  EXPECT_GT(bridge_.outbox().sent(), 0u);
+}
+
 TEST_F(RangerBridge, WhereSomebodyElseCommandsItNothingIsSaid)
 {
   for (int i = 0; i < 100; ++i)
@@ -293,14 +337,17 @@ TEST_F(RangerBridge, FaultsOfTheBaseStopItAndHaveTheirNames)
     std::function<void()> begin;
     Fault name;
   };
-  const Frame foreign = frame_of(0x111, {1, 0, 0, 0, 0, 0, 0, 0}), broken = frame_of(0x271, {0, 0});
-  const std::vector<Case> cases = {{[&] { ranger_.silent = true; }, Fault::feedback_lost},
-                                   {[&] { ranger_.tells_mode = false; }, Fault::feedback_lost},
-                                   {[&] { ranger_.vehicle = 2; }, Fault::drive_fault},
-                                   {[&] { ranger_.vehicle = 1; }, Fault::drive_disabled},
-                                   {[&] { ranger_.in_control = false; }, Fault::drive_disabled},
-                                   {[&] { ranger_end_->send(foreign); }, Fault::foreign_master},
-                                   {[&] { ranger_end_->send(broken); }, Fault::malformed_frame}};
+  std::vector<Case> cases = {{[&] { ranger_.silent = true; }, Fault::feedback_lost},
+                             {[&] { ranger_.tells_state = false; }, Fault::heartbeat_lost},
+                             {[&] { ranger_.tells_mode = false; }, Fault::feedback_lost},
+                             {[&] { ranger_.vehicle = 2; }, Fault::drive_fault},
+                             {[&] { ranger_.vehicle = 1; }, Fault::drive_disabled},
+                             {[&] { ranger_.in_control = false; }, Fault::drive_disabled},
+                             {[&] { ranger_.blocked = true; }, Fault::speed_not_followed}};
+  for (const std::uint32_t id : {0x111u, 0x141u, 0x421u})
+    cases.push_back({[this, id] { ranger_end_->send(frame_of(id, {1, 0, 0, 0, 0, 0, 0, 0})); }, Fault::foreign_master});
+  for (const std::uint32_t id : {0x211u, 0x221u, 0x271u, 0x281u, 0x291u})
+    cases.push_back({[this, id] { ranger_end_->send(frame_of(id, {0, 0})); }, Fault::malformed_frame});
   for (const Case& c : cases)
   {
     enable();
@@ -312,7 +359,8 @@ TEST_F(RangerBridge, FaultsOfTheBaseStopItAndHaveTheirNames)
     EXPECT_EQ(fault(), c.name) << cause();
     EXPECT_FALSE(is_moving());
     ranger_.silent = false;
-    ranger_.tells_mode = true;
+    ranger_.tells_mode = ranger_.tells_state = true;
+    ranger_.blocked = false;
     ranger_.vehicle = 0;
     pass(5.0);
     EXPECT_FALSE(is_moving());
