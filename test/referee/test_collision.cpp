@@ -277,6 +277,59 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
   EXPECT_GT(colliding, 20);
 }
 
+/// The corners of a long body that turns move several times as far as its centre.
+TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
+{
+  Robot robot;
+  robot.length = 2.4;
+  const double phi = 0.5, radius = robot.track_width / (2.0 * std::tan(phi)), ahead = radius + robot.length / 2;
+  const Script script = Script({3.0, 3.002, 0.0}, Mode::lateral, phi, robot).drive(0.8, 1.0);  // turns to the left
+  const Pose centre{script.start().x - radius, script.start().y, 0.0};                         // of the turn
+  const std::vector<Pose> poses = dense_poses(script);
+  int met = 0;
+  for (int k = 0; k < 60; ++k)
+  {
+    SCOPED_TRACE(k);
+    OccupancyGrid grid = empty_grid(600, 600, 0.01);
+    occupy(grid, 390, 268);  // beside the body, which moves away: where the least clearance is, all others are far
+    // Between the circle that the front edge touches and that of the corners.
+    const double angle = 0.3 + 0.02 * k, reach = ahead + 0.02;
+    occupy(grid, static_cast<int>((centre.x + reach * std::cos(angle)) / 0.01),
+           static_cast<int>((centre.y + reach * std::sin(angle)) / 0.01));
+    const std::vector<Quad> cells = obstacles(grid, {});
+    double expected = INFINITY;
+    for (const Pose& pose : poses) expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
+    if (std::abs(expected) < 0.001) continue;
+    const Verdict verdict = Referee(grid, {}, robot).judge(script.start(), script.end(), script.points());
+    EXPECT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected;
+    met += expected < 0.0;
+  }
+  EXPECT_GT(met, 50);
+}
+
+/// What a rolled-out motion may miss the next point by is a motion, too.
+TEST(VerifyCollision, SeesWhatIsMetWithinTheTolerancesOfTheRollOut)
+{
+  OccupancyGrid grid = empty_grid(80, 80, 0.05);
+  occupy(grid, 44, 50);  // 0.55 m from the middle, within the circle of the corners
+  const Pose turn{0.0, 0.0, 0.009}, shift{0.004, 0.0, 0.0};
+  for (const auto& [start, step] : {std::pair(Pose{2.0, 2.0, 0.0}, turn), {Pose{0.8, 2.3, 0.0}, shift}})
+  {
+    Trajectory points;
+    for (int k = 0; k < 250; ++k)
+    {
+      TrajectoryPoint point;
+      point.t = 0.1 * k;
+      point.mode = Mode::ackermann;
+      point.x = start.x + k * step.x, point.y = start.y + k * step.y, point.theta = start.theta + k * step.theta;
+      points.push_back(point);
+    }
+    const Verdict verdict = Referee(grid, {}, {}).judge(points.front().pose(), points.back().pose(), points);
+    EXPECT_FALSE(complains_of(verdict, "rolled-out")) << sentences(verdict);
+    EXPECT_TRUE(complains_of(verdict, "collision")) << sentences(verdict);
+  }
+}
+
 TEST(VerifyCollision, OneRefereeJudgesInSeveralThreads)
 {
   Dice dice(3);

@@ -17,6 +17,8 @@ ControlStep some_step()
   step.stamp = ros::Time(12.5);
   step.trajectory = ros::Time(11.0);
   step.speed = 0.9;
+  step.solve_ms = 0.3;
+  step.output.speed = 0.8;
   step.enabled = true;
   step.output.state = TrackState::driving;
   step.output.t = 1.25;
@@ -39,6 +41,7 @@ TEST(ControllerTopics, tracking_says_what_the_step_came_to)
   EXPECT_EQ(tracking.longitudinal_error, -0.0056);
   EXPECT_EQ(tracking.heading_error, 0.01);
   EXPECT_EQ(tracking.speed, 0.9);
+  EXPECT_EQ(tracking.solve_ms, 0.3);
   EXPECT_TRUE(tracking.enabled);
 }
 

@@ -259,5 +259,47 @@ TEST(Conversions, the_front_ends_path_is_sampled_densely_from_start_to_goal)
   EXPECT_TRUE(to_path_message(robot, Path{}, {}).poses.empty());
 }
 
+TEST(Conversions, each_metric_is_in_the_field_of_its_name)
+{
+  PlanMetrics metrics;
+  metrics.safe = true;
+  metrics.length = 1.0;
+  metrics.arrival_time = 2.0;
+  metrics.mean_curvature = 3.0;
+  metrics.max_curvature = 4.0;
+  metrics.terminal_position_error = 5.0;
+  metrics.terminal_yaw_error = 6.0;
+  metrics.standard_mode_rate = 7.0;
+  metrics.total_ms = 8.0;
+  metrics.map_ms = 9.0;
+  metrics.frontend_ms = 10.0;
+  metrics.backend_ms = 11.0;
+  metrics.verify_ms = 12.0;
+  metrics.expansions = 13;
+  metrics.switches = 14;
+  metrics.outer_iterations = 15;
+  metrics.ipopt_iterations = 16;
+  metrics.min_clearance = 17.0;
+  const fourwis_navigation::PlanMetrics message = to_message(metrics);
+  EXPECT_TRUE(message.safe);
+  EXPECT_EQ(message.length, 1.0);
+  EXPECT_EQ(message.arrival_time, 2.0);
+  EXPECT_EQ(message.mean_curvature, 3.0);
+  EXPECT_EQ(message.max_curvature, 4.0);
+  EXPECT_EQ(message.terminal_position_error, 5.0);
+  EXPECT_EQ(message.terminal_yaw_error, 6.0);
+  EXPECT_EQ(message.standard_mode_rate, 7.0);
+  EXPECT_EQ(message.total_ms, 8.0);
+  EXPECT_EQ(message.map_ms, 9.0);
+  EXPECT_EQ(message.frontend_ms, 10.0);
+  EXPECT_EQ(message.backend_ms, 11.0);
+  EXPECT_EQ(message.verify_ms, 12.0);
+  EXPECT_EQ(message.expansions, 13);
+  EXPECT_EQ(message.switches, 14);
+  EXPECT_EQ(message.outer_iterations, 15);
+  EXPECT_EQ(message.ipopt_iterations, 16);
+  EXPECT_EQ(message.min_clearance, 17.0);
+}
+
 }  // namespace
 }  // namespace fourwis

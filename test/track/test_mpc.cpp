@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
+#include "fourwis_navigation/vehicle/wheels.h"
 #include "random_stretch.h"
 
 namespace fourwis
@@ -194,6 +195,88 @@ TEST(Mpc, StatesBeyondTheBoundsStillHaveAnAnswer)
     const MpcAnswer answer = mpc.solve(scene.reference, scene.t, scene.state);
     EXPECT_TRUE(answer.usable) << "seed " << kSeed << ", trial " << trial;
     EXPECT_LE(std::abs(answer.input.a), scene.robot.max_acceleration + 1e-6);
+  }
+}
+
+/// How much of each of its limits an answer uses, at most: 1 is all of it.
+struct Shares
+{
+  double acceleration = 0.0, steering_rate = 0.0, wheel_rate = 0.0, speed = 0.0, wheel_speed = 0.0, phi = 0.0;
+};
+
+/// Of a solved problem. The wheels' limits are linearised where the reference has its steering angle.
+Shares shares_of(const Mpc& mpc, const Scene& scene, const Robot& robot, double max_phi)
+{
+  const double first = 1.0 / scene.options.controller_frequency, horizon = scene.options.horizon;
+  const int count = scene.options.knots;
+  const auto time = [&](int k) { return k == 0 ? 0.0 : first + (horizon - first) * (k - 1) / (count - 1); };
+  Shares shares;
+  for (int k = 0; k < count; ++k)
+  {
+    const auto at = static_cast<std::size_t>(k);
+    const double h = time(k + 1) - time(k), slope = 1e-6;
+    const MotionState from = scene.reference.at(scene.t + time(k)).state;
+    const MotionState to = scene.reference.at(scene.t + time(k + 1)).state;
+    const double middle = scene.reference.at(scene.t + 0.5 * (time(k) + time(k + 1))).state.phi;
+    const double a = (to.v - from.v) / h + mpc.solution().controls[at][0];
+    const double omega = (to.phi - from.phi) / h + mpc.solution().controls[at][1];
+    const double v = std::abs(to.v + mpc.solution().states[at + 1][3]);
+    const double phi = std::abs(to.phi + mpc.solution().states[at + 1][4]);
+    const WheelAngles left = wheel_angles(robot, scene.mode, middle - slope);
+    const WheelAngles right = wheel_angles(robot, scene.mode, middle + slope);
+    for (std::size_t i = 0; i < left.size(); ++i)
+      shares.wheel_rate = std::max(
+          shares.wheel_rate, std::abs(wrap_angle(right[i] - left[i]) / (2.0 * slope) * omega) / robot.wheel_max_rate);
+    shares.acceleration = std::max(shares.acceleration, std::abs(a) / robot.max_acceleration);
+    shares.steering_rate = std::max(shares.steering_rate, std::abs(omega) / robot.max_steering_rate);
+    shares.phi = std::max(shares.phi, phi / max_phi);
+    // What is too fast at first may brake.
+    const double excess = std::abs(scene.state.v) - robot.max_acceleration * time(k + 1);
+    shares.speed = std::max(shares.speed, v / std::max(robot.max_speed, excess));
+    const double by_wheels = robot.wheel_max_speed / wheel_speed_ratio(robot, scene.mode, to.phi);
+    shares.wheel_speed = std::max(shares.wheel_speed, v / std::max(by_wheels, excess));
+  }
+  return shares;
+}
+
+/// Each limit in turn is less than what the reference was made with, so that it is reached.
+TEST(Mpc, KeepsTheLimitsOfTheRobotAndUsesThem)
+{
+  struct Limit
+  {
+    const char* name;
+    double Robot::*limit;  ///< null: the range of phi
+    double value;
+    double Shares::*share;
+  };
+  const Limit limits[] = {{"max_acceleration", &Robot::max_acceleration, 1.0, &Shares::acceleration},
+                          {"max_steering_rate", &Robot::max_steering_rate, 0.4, &Shares::steering_rate},
+                          {"wheel_max_rate", &Robot::wheel_max_rate, 0.4, &Shares::wheel_rate},
+                          {"max_speed", &Robot::max_speed, 0.3, &Shares::speed},
+                          {"wheel_max_speed", &Robot::wheel_max_speed, 0.3, &Shares::wheel_speed},
+                          {"phi", nullptr, 0.2, &Shares::phi}};
+  for (const Limit& limit : limits)
+  {
+    SCOPED_TRACE(limit.name);
+    Random random(kSeed);
+    int usable = 0, used = 0;
+    for (int trial = 0; trial < 60; ++trial)
+    {
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", trial " + std::to_string(trial));
+      const Scene scene(random, 0.15);
+      Robot robot = scene.robot;
+      if (limit.limit) robot.*limit.limit = limit.value;
+      const double max_phi = limit.limit ? scene.range().high : limit.value;
+      Mpc mpc(robot, scene.options);
+      mpc.restart(scene.mode, {-max_phi, max_phi});
+      if (!mpc.solve(scene.reference, scene.t, scene.state).usable) continue;
+      ++usable;
+      const Shares shares = shares_of(mpc, scene, robot, max_phi);
+      for (const Limit& any : limits) EXPECT_LE(shares.*any.share, 1.0 + 1e-6) << any.name;
+      if (shares.*limit.share > 0.99) ++used;
+    }
+    EXPECT_GT(usable, 50);
+    EXPECT_GT(used, 20);
   }
 }
 

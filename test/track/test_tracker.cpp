@@ -128,6 +128,39 @@ TEST(Tracker, ReturnsFromBesideTheTrajectory)
     }
 }
 
+/// In the direction of travel, which in reverse is not that of the wheels.
+TEST(Tracker, ErrorsAreToTheLeftAndAlongTheDirectionOfTravel)
+{
+  constexpr double kPush = 0.05, kNear = 0.01;
+  for (const Mode mode : kPlannedModes)
+    for (const double length : {5.0, -5.0})
+    {
+      SCOPED_TRACE(to_string(mode) + std::string(length > 0.0 ? " forward" : " backward"));
+      const double travel = (mode == Mode::lateral ? M_PI_2 : 0.0) + (length > 0.0 ? 0.0 : M_PI);
+      const auto pushed = [&](double along, double left, double turn) {
+        Rig rig;
+        EXPECT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{mode, 0.0, length}})), "");
+        EXPECT_TRUE(rig.step_until_fast(0.9));
+        Pose pose = rig.base.pose();
+        pose.x += std::cos(travel) * along - std::sin(travel) * left;
+        pose.y += std::sin(travel) * along + std::cos(travel) * left;
+        pose.theta += turn;
+        rig.base.push(pose);
+        TrackOutput output = rig.step();
+        EXPECT_EQ(output.state, TrackState::driving) << rig.message;
+        return output;
+      };
+      const TrackOutput beside = pushed(0.0, kPush, 0.0), ahead = pushed(kPush, 0.0, 0.0),
+                        turned = pushed(0.0, 0.0, kPush);
+      EXPECT_NEAR(beside.lateral_error, kPush, kNear);
+      EXPECT_NEAR(beside.longitudinal_error, 0.0, kNear);
+      EXPECT_NEAR(ahead.lateral_error, 0.0, kNear);
+      EXPECT_NEAR(ahead.longitudinal_error, kPush, kNear);
+      EXPECT_NEAR(turned.heading_error, kPush, kNear);
+      EXPECT_NEAR(beside.heading_error, 0.0, kNear);
+    }
+}
+
 TEST(Tracker, TwentyHertzWillDo)
 {
   TrackOptions options = ideal_options();

@@ -71,6 +71,33 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
   }
 }
 
+/// The base may say so of any command from this alignment's first to the last one it was sent.
+TEST(TrackerSequence, AlignedCountsFromTheFirstCommandOfThisAlignmentOn)
+{
+  constexpr int kSteps = 5;  // of the alignment, before the base says anything
+  for (const auto& [behind_first, state] : {std::pair(-1, TrackState::aligning),
+                                            {0, TrackState::driving},
+                                            {kSteps - 1, TrackState::driving},
+                                            {kSteps, TrackState::aligning}})
+  {
+    SCOPED_TRACE(behind_first);
+    Rig rig;
+    for (int k = 0; k < 10; ++k) rig.step();
+    ASSERT_EQ(rig.tracker.accept(sideways(rig.robot)), "");
+    const std::uint32_t first = rig.step().command.sequence;
+    rig.tamper = [](TrackInput& input) { input.wheels.aligned = false; };
+    for (int k = 1; k < kSteps; ++k) ASSERT_EQ(rig.step().state, TrackState::aligning);
+    ASSERT_EQ(rig.output.command.sequence, first + kSteps - 1);
+    const std::uint32_t said = first + static_cast<std::uint32_t>(behind_first);
+    rig.tamper = [said](TrackInput& input) {
+      input.wheels.mode = Mode::lateral;
+      input.wheels.aligned = true;
+      input.wheels.sequence = said;
+    };
+    EXPECT_EQ(rig.step().state, state);
+  }
+}
+
 /// The rig's clock, `seconds` later.
 std::function<void(TrackInput&)> later(double seconds)
 {
@@ -89,6 +116,9 @@ TEST(TrackerSequence, CommandsAreNumberedLikeTheControlSteps)
   EXPECT_EQ(rig.step().command.sequence, 50502u);
   rig.tamper = later(500.0);
   EXPECT_EQ(rig.step().command.sequence, 50503u) << "a clock that runs back";
+  rig.tamper = [](TrackInput& input) { input.now = input.pose_stamp = input.wheels.stamp = 2000.0; };
+  EXPECT_EQ(rig.step().command.sequence, 100000u);
+  EXPECT_EQ(rig.step().command.sequence, 100001u) << "a clock that stands";
 }
 
 TEST(TrackerSequence, TheSequenceMayWrapAround)

@@ -143,6 +143,15 @@ TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
     EXPECT_GT(claimed(i, i), 0.9 * scatter(i, i)) << i;
     EXPECT_LT(claimed(i, i), 1.8 * scatter(i, i)) << i;
   }
+  const auto correlation = [](const Eigen::Matrix3d& covariance, int i, int j) {
+    return covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+  };
+  for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}})
+  {
+    EXPECT_GT(std::abs(correlation(scatter, i, j)), 0.3) << i << j;
+    EXPECT_NEAR(correlation(claimed, i, j), correlation(scatter, i, j), 0.15) << i << j;
+    EXPECT_NEAR(claimed(i, j), claimed(j, i), 1e-12);
+  }
 }
 
 }  // namespace
