@@ -1,11 +1,11 @@
 #include "can_latency.h"
 
 #include <chrono>
-#include <random>
 #include <stdexcept>
 #include <thread>
 
 #include "../drives/real_time_drives.h"
+#include "../support/random.h"
 #include "fourwis_navigation/can/bridge/bridge_thread.h"
 #include "fourwis_navigation/can/bus/real_time.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
@@ -48,9 +48,9 @@ void enable(can::BridgeThread& bridge)
 }
 
 /// A little more or less than 20 ms: anywhere in the bridge's cycle.
-void wait_for_next_command(std::mt19937& random)
+void wait_for_next_command(Random& random)
 {
-  std::this_thread::sleep_for(std::chrono::microseconds(15000 + random() % 10000));
+  std::this_thread::sleep_for(std::chrono::microseconds(random.whole(15000, 25000)));
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ CanLatency measure_can_latency(const std::string& name, int commands)
   const RealTimeDrives drives(name, kDrivesPriority);
   can::BridgeThread bridge(Robot(), can::BridgeOptions(), can::open_bus(name), kBridgePriority);
   enable(bridge);
-  std::mt19937 random(1);
+  Random random(1);
   WheelCommand command;
   command.mode = Mode::ackermann;
   command.motion = wheel_motion(Robot(), Mode::ackermann, 0.5, 0.0);

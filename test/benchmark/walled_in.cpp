@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../support/grids.h"
 #include "fourwis_navigation/vehicle/footprint.h"
 #include "statistics.h"
 
@@ -18,9 +19,7 @@ OccupancyGrid with_wall(OccupancyGrid grid, const IsWall& is_wall)
     for (int column = 0; column < grid.width; ++column)
     {
       const Pose centre = compose(grid.origin, {(column + 0.5) * grid.resolution, (row + 0.5) * grid.resolution, 0.0});
-      if (is_wall(centre))
-        grid.data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
-                  static_cast<std::size_t>(column)] = 100;
+      if (is_wall(centre)) occupy(grid, column, row);
     }
   return grid;
 }

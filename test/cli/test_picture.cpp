@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <cmath>
-#include <random>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/grids.h"
 #include "cli/cell_rectangles.h"
 #include "cli/motion_samples.h"
 #include "cli/picture.h"
@@ -19,23 +20,26 @@ namespace
 
 constexpr unsigned kSeed = 7;
 
-OccupancyGrid random_grid(std::mt19937& generator, int width, int height)
+/// Of eleven cells six are free, three occupied and two unknown.
+OccupancyGrid random_grid(Random& random, int width, int height)
 {
-  std::discrete_distribution<int> kind({6, 3, 2});
-  const std::int8_t values[] = {0, 100, -1};
-  OccupancyGrid grid{width, height, 0.1, {-1.0, 2.0, 0.4}, {}};
-  for (int i = 0; i < width * height; ++i) grid.data.push_back(values[kind(generator)]);
+  OccupancyGrid grid = free_grid(width, height, 0.1, {-1.0, 2.0, 0.4});
+  for (std::int8_t& value : grid.data)
+  {
+    const int kind = random.whole(1, 11);
+    value = kind <= 6 ? 0 : kind <= 9 ? 100 : -1;
+  }
   return grid;
 }
 
 TEST(CellRectangles, CoverEachWantedCellOnceAndNoOther)
 {
   SCOPED_TRACE("seed " + std::to_string(kSeed));
-  std::mt19937 generator(kSeed);
-  std::uniform_int_distribution<int> size(1, 12);
+  Random random(kSeed);
   for (int trial = 0; trial < 200; ++trial)
   {
-    const OccupancyGrid grid = random_grid(generator, size(generator), size(generator));
+    const int width = random.whole(1, 12), height = random.whole(1, 12);
+    const OccupancyGrid grid = random_grid(random, width, height);
     const auto wanted = [](std::int8_t cell) { return cell == 100; };
     std::vector<int> covered(grid.data.size(), 0);
     for (const CellRectangle& r : cell_rectangles(grid, wanted))
@@ -48,20 +52,22 @@ TEST(CellRectangles, CoverEachWantedCellOnceAndNoOther)
 
 TEST(CellRectangles, MergeABlockToOne)
 {
-  const OccupancyGrid grid{30, 20, 0.1, {}, std::vector<std::int8_t>(600, 100)};
+  OccupancyGrid grid = free_grid(30, 20, 0.1);
+  occupy_block(grid, 0, 0, 30, 20);
   EXPECT_EQ(cell_rectangles(grid, [](std::int8_t cell) { return cell == 100; }).size(), 1u);
 }
 
 TEST(CellRectangles, KnownBlockIsTheLeastAndTheWholeGridWhereNothingIsKnown)
 {
-  OccupancyGrid grid{9, 7, 0.1, {}, std::vector<std::int8_t>(63, -1)};
+  OccupancyGrid grid = free_grid(9, 7, 0.1);
+  std::fill(grid.data.begin(), grid.data.end(), -1);
   const auto block = [&] {
     const CellRectangle r = known_block(grid);
     return std::vector<int>{r.left, r.bottom, r.right, r.top};
   };
   EXPECT_EQ(block(), std::vector<int>({0, 0, 9, 7}));
-  grid.data[2 * 9 + 3] = 0;
-  grid.data[4 * 9 + 7] = 100;
+  cell(grid, 3, 2) = 0;
+  occupy(grid, 7, 4);
   EXPECT_EQ(block(), std::vector<int>({3, 2, 8, 5}));
 }
 
@@ -187,8 +193,8 @@ std::size_t count(const std::string& text, const std::string& part)
 
 TEST(Picture, OfAPlanShowsEveryModeInItsColourAndEverySwitch)
 {
-  std::mt19937 generator(kSeed);
-  const OccupancyGrid grid = random_grid(generator, 60, 40);
+  Random random(kSeed);
+  const OccupancyGrid grid = random_grid(random, 60, 40);
   const Pose start{1.0, 4.0, 0.3};
   const std::string svg = drawn(grid, plan_in_all_modes(Robot(), start), start, {1.5, 4.5, 1.0});
   EXPECT_TRUE(is_well_formed(svg));
@@ -215,11 +221,11 @@ TEST(Picture, ModesHaveDifferentColours)
 
 TEST(Picture, WithoutATrajectoryShowsTheQuestionAndSaysWhy)
 {
-  std::mt19937 generator(kSeed);
+  Random random(kSeed);
   PlanResult result;
   result.status = PlanStatus::goal_in_collision;
   result.message = "the goal <1, 2> & \"more\"\n\x01\xff";
-  const std::string svg = drawn(random_grid(generator, 20, 30), result, {0, 3, 0}, {0, 4, 0});
+  const std::string svg = drawn(random_grid(random, 20, 30), result, {0, 3, 0}, {0, 4, 0});
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_EQ(count(svg, "goal_in_collision"), 1u);
   EXPECT_EQ(count(svg, "the goal &lt;1, 2&gt; &amp;"), 1u);
@@ -228,13 +234,13 @@ TEST(Picture, WithoutATrajectoryShowsTheQuestionAndSaysWhy)
 
 TEST(Picture, OfAnythingIsWellFormed)
 {
-  std::mt19937 generator(kSeed);
+  Random random(kSeed);
   PlanResult odd;
   odd.trajectory = {point(0.0, Mode::none, {0, 3, 0}, 1.0, 0.0), point(1.0, Mode::ackermann, {NAN, 0, 0}, 1.0, 0.0),
                     point(-1.0, Mode::none, {0, 3, 1}, INFINITY, 0.0), point(-2.0, Mode::spin, {0, 4, 1}, 0.0, 0.0)};
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(300, 1), std::pair(1, 300), std::pair(40, 40)})
   {
-    const std::string svg = drawn(random_grid(generator, width, height), odd, {1e9, 0, 0}, {0, -1e9, 0});
+    const std::string svg = drawn(random_grid(random, width, height), odd, {1e9, 0, 0}, {0, -1e9, 0});
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_EQ(count(svg, "nan"), 0u);
     EXPECT_EQ(count(svg, "inf"), 0u);
@@ -253,7 +259,7 @@ std::vector<double> matrix_in(const std::string& svg)
 
 TEST(Picture, CellsAndPosesAgreeOnATurnedGrid)
 {
-  OccupancyGrid grid{50, 30, 0.2, {3.0, -1.0, 0.7}, std::vector<std::int8_t>(1500, 0)};
+  const OccupancyGrid grid = free_grid(50, 30, 0.2, {3.0, -1.0, 0.7});
   // A robot in the middle of cell (20, 10): its switch marker must be drawn where that cell is drawn.
   const Pose middle = compose(grid.origin, {20.5 * 0.2, 10.5 * 0.2, 0.0});
   PlanResult result;
@@ -278,7 +284,7 @@ Polytope region(double x_min, double y_min, double x_max, double y_max)
 
 TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
 {
-  const OccupancyGrid grid{40, 20, 0.1, {3.0, -1.0, 0.0}, std::vector<std::int8_t>(800, 0)};
+  const OccupancyGrid grid = free_grid(40, 20, 0.1, {3.0, -1.0, 0.0});
   const Pose pose{5.0, 0.0, 0.0};
   const std::vector<Corridor> corridors = {{{{0.25, 0.0}, {region(4, -0.5, 5, 0.5), region(4.5, -0.5, 5.5, 0.5)}},
                                             {{-0.25, 0.0}, {region(3.5, 0, 4, 0.25)}}},
@@ -308,7 +314,7 @@ TEST(Picture, CorridorsAreDrawnWhereTheyAreRegionByRegionBelowThePlan)
 
 TEST(Picture, IterationsAreDrawnTheLaterTheDarker)
 {
-  const OccupancyGrid grid{40, 20, 0.1, {}, std::vector<std::int8_t>(800, 0)};
+  const OccupancyGrid grid = free_grid(40, 20, 0.1);
   const Robot robot;
   const PlanResult result = plan_in_all_modes(robot, {1.0, 1.0, 0.0});
   std::ostringstream svg;
@@ -321,7 +327,7 @@ TEST(Picture, IterationsAreDrawnTheLaterTheDarker)
 
 TEST(Picture, WithoutCorridorsDoesNotMentionThem)
 {
-  const OccupancyGrid grid{40, 20, 0.1, {}, std::vector<std::int8_t>(800, 0)};
+  const OccupancyGrid grid = free_grid(40, 20, 0.1);
   EXPECT_EQ(count(drawn(grid, plan_in_all_modes(Robot(), {}), {}, {}), "corridor"), 0u);
   EXPECT_EQ(count(drawn(grid, plan_in_all_modes(Robot(), {}), {}, {}), "iteration"), 0u);
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../support/grids.h"
 #include "cli/plan_command.h"
 #include "fourwis_navigation/map/map_file.h"
 
@@ -53,11 +54,9 @@ std::string content_of(const std::string& path)
 /// A room of 10 m x 6 m with a wall that leaves a closed chamber on the right.
 OccupancyGrid room()
 {
-  OccupancyGrid grid{100, 60, 0.1, {0.0, 0.0, 0.0}, std::vector<std::int8_t>(6000, 0)};
-  for (int row = 0; row < grid.height; ++row)
-    for (int column = 0; column < grid.width; ++column)
-      if (row == 0 || row == 59 || column == 0 || column == 99 || column == 70)
-        grid.data[static_cast<std::size_t>(row * grid.width + column)] = 100;
+  OccupancyGrid grid = free_grid(100, 60, 0.1);
+  wall_in(grid, 1, 1, 98, 58);
+  occupy_block(grid, 70, 0, 1, 60);
   return grid;
 }
 

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <random>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../support/random.h"
 #include "cli/report.h"
 
 namespace fourwis
@@ -32,9 +32,11 @@ Keys keys_of(const json& object)
 /// Points of every mode with numbers of every size.
 Trajectory random_trajectory(int points)
 {
-  std::mt19937 generator(kSeed);
-  std::uniform_real_distribution<double> mantissa(-1.0, 1.0), exponent(-12.0, 6.0);
-  const auto number = [&] { return mantissa(generator) * std::pow(10.0, exponent(generator)); };
+  Random random(kSeed);
+  const auto number = [&] {
+    const double mantissa = random.unit();
+    return mantissa * std::pow(10.0, random.between(-12.0, 6.0));
+  };
   Trajectory trajectory(static_cast<std::size_t>(points));
   for (std::size_t i = 0; i < trajectory.size(); ++i)
   {

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "../support/random.h"
 #include "fourwis_navigation/map/map_file.h"
 
 namespace fourwis
@@ -92,9 +92,9 @@ inline std::string png_bytes(int width, std::vector<std::vector<std::uint8_t>> r
 }
 
 /// `bytes` with one to four random bits flipped or bytes replaced, cut short every third time.
-inline std::string mutated(std::string bytes, std::mt19937& random)
+inline std::string mutated(std::string bytes, Random& random)
 {
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random.whole(0, static_cast<int>(n) - 1)); };
   for (std::size_t i = 0, n = 1 + below(4); i < n; ++i)
   {
     char& byte = bytes[below(bytes.size())];

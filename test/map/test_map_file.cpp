@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "../support/grids.h"
 #include "map_fixture.h"
 
 namespace fourwis
@@ -123,15 +124,14 @@ std::vector<int> meanings(const OccupancyGrid& grid)
 
 TEST_F(MapFile, ReadsBackWhatItWrote)
 {
-  std::mt19937 random(2);
-  std::uniform_int_distribution<int> size(1, 40), cell(-128, 127);
-  std::uniform_real_distribution<double> real(-10.0, 10.0);
+  Random random(2);
   for (int i = 0; i < 100; ++i)
   {
     SCOPED_TRACE("seed 2, grid " + std::to_string(i));
-    OccupancyGrid grid{size(random), size(random), std::exp(real(random)), {}, {}};
-    grid.origin = {real(random), real(random), real(random)};
-    for (int k = 0; k < grid.width * grid.height; ++k) grid.data.push_back(static_cast<std::int8_t>(cell(random)));
+    const int width = random.whole(1, 40), height = random.whole(1, 40);
+    OccupancyGrid grid = free_grid(width, height, std::exp(random.between(-10.0, 10.0)));
+    grid.origin = {random.between(-10.0, 10.0), random.between(-10.0, 10.0), random.between(-10.0, 10.0)};
+    for (std::int8_t& value : grid.data) value = static_cast<std::int8_t>(random.whole(-128, 127));
     write_map_file(grid, folder_ / "a \"map\": #1");
     const OccupancyGrid back = read_map_file(folder_ / "a \"map\": #1.yaml");
     ASSERT_EQ(back.width, grid.width);
@@ -146,7 +146,7 @@ TEST_F(MapFile, ReadsBackWhatItWrote)
 
 TEST_F(MapFile, RefusesToWriteAnUnusableGridOrToAnUnusablePlace)
 {
-  const OccupancyGrid good{1, 1, 0.1, {}, {0}};
+  const OccupancyGrid good = free_grid(1, 1, 0.1);
   OccupancyGrid bad = good;
   bad.data.clear();
   EXPECT_NE(message_of([&] { write_map_file(bad, folder_ / "map"); }), "");

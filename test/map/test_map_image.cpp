@@ -125,7 +125,7 @@ TEST_F(MapImage, SurvivesRandomDamage)
       {"map.pgm", png_bytes(3, {{0, 7, 51}}, {PNG_COLOR_TYPE_PALETTE, 8, true})}};
   for (const auto& [name, original] : originals)
   {
-    std::mt19937 random(1);
+    Random random(1);
     write_bytes(folder_ / "map.yaml", yaml);
     write_bytes(folder_ / "map.pgm", small_pgm);
     int refused = 0;

@@ -39,15 +39,14 @@ void fill(Tree& tree, const std::array<int, 3>& corner, const std::array<int, 3>
 
 /// Boxes and single voxels, with large leaves where boxes allow it.
 template <typename Tree>
-Tree random_tree(std::mt19937& random, double resolution)
+Tree random_tree(Random& random, double resolution)
 {
   Tree tree(resolution);
-  const auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   for (int i = 0; i < 60; ++i)
   {
-    const int size = i % 3 == 0 ? between(4, 17) : between(1, 3);
-    const auto place = [&] { return between(-reach, reach - size); };
-    fill(tree, {place(), place(), place()}, {size, size, size}, between(0, 1) == 1);
+    const int size = i % 3 == 0 ? random.whole(4, 17) : random.whole(1, 3);
+    const auto place = [&] { return random.whole(-reach, reach - size); };
+    fill(tree, {place(), place(), place()}, {size, size, size}, random.chance(0.5));
   }
   tree.updateInnerOccupancy();
   tree.prune();
@@ -121,7 +120,7 @@ protected:
 
 TEST_F(OctomapProjection, AgreesWithLookingAtEveryVoxel)
 {
-  std::mt19937 random(3);
+  Random random(3);
   for (const double resolution : {0.08, 0.1, 0.25})
   {
     for (int i = 0; i < 4; ++i)
@@ -144,7 +143,7 @@ TEST_F(OctomapProjection, AgreesWithLookingAtEveryVoxel)
 
 TEST_F(OctomapProjection, ReadsColouredTrees)
 {
-  std::mt19937 random(4);
+  Random random(4);
   auto tree = random_tree<octomap::ColorOcTree>(random, 0.1);
   tree.write(folder_ / "map.ot");
   expect_projection(tree, folder_ / "map.ot", -3.0, 4.5);
@@ -186,7 +185,7 @@ TEST_F(OctomapProjection, DoesNotCountVoxelsThatOnlyTouchTheBand)
 
 TEST_F(OctomapProjection, TakesAHugeBandForAllHeights)
 {
-  std::mt19937 random(5);
+  Random random(5);
   octomap::OcTree tree = random_tree<octomap::OcTree>(random, 0.1);
   tree.write(folder_ / "map.ot");
   const auto everything = project_octomap_file(folder_ / "map.ot", {-1e300, 1e300});
@@ -242,7 +241,7 @@ TEST_F(OctomapProjection, RefusesWhatIsNotAnOctomapByField)
 
 TEST_F(OctomapProjection, RefusesAFileCutShortAnywhereAndSurvivesRandomDamage)
 {
-  std::mt19937 random(6);
+  Random random(6);
   octomap::OcTree tree(0.1);
   fill(tree, {-3, -2, 0}, {4, 3, 2}, true);
   fill(tree, {1, 2, 0}, {2, 5, 3}, false);

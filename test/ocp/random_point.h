@@ -28,10 +28,10 @@ struct RandomPoint
     for (std::size_t k = 0; k <= intervals; ++k) set_stage(k);
     for (std::size_t i = 0; i < limits.rows.size(); ++i)
     {
-      const double weight = limits.rows[i].weight, y = 2.0 + random();
-      point.rows[i] = {2.0 + random(), std::isfinite(weight) ? 2.0 + random() : 0.0, y, weight - y};
+      const double weight = limits.rows[i].weight, y = 2.0 + random.unit();
+      point.rows[i] = {2.0 + random.unit(), std::isfinite(weight) ? 2.0 + random.unit() : 0.0, y, weight - y};
     }
-    for (int i = 0; i < NX; ++i) point.nu[i] = limits.is_fixed(i) ? random() : 0.0;
+    for (int i = 0; i < NX; ++i) point.nu[i] = limits.is_fixed(i) ? random.unit() : 0.0;
   }
 
   Point new_point() const
@@ -62,16 +62,16 @@ private:
   void set_stage(std::size_t k)
   {
     auto& stage = point.stages[k];
-    stage.z = random.matrix<NZ, 1>();
+    stage.z = random_matrix<NZ, 1>(random);
     if (k == 0) stage.z.head<NX>() = limits.initial_state;
     if (k == intervals) stage.z.tail<NU>().setZero();
-    stage.lambda = random.matrix<NX, 1>();
+    stage.lambda = random_matrix<NX, 1>(random);
     for (int i = 0; i < NZ; ++i)
     {
       const double lower = limits.bounds[k].lower[i], upper = limits.bounds[k].upper[i];
       stage.z[i] = detail::moved_inside(stage.z[i], lower, upper, 0.1);
-      stage.lower[i] = lower > -kInfinity ? 2.0 + random() : 0.0;
-      stage.upper[i] = upper < kInfinity ? 2.0 + random() : 0.0;
+      stage.lower[i] = lower > -kInfinity ? 2.0 + random.unit() : 0.0;
+      stage.upper[i] = upper < kInfinity ? 2.0 + random.unit() : 0.0;
     }
   }
 };

@@ -2,31 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-
+#include "../support/random.h"
 #include "fourwis_navigation/ocp/solver.h"
 
 namespace fourwis::ocp
 {
 
-/// Random numbers that are the same everywhere: std::uniform_real_distribution may differ between libraries.
-class Random
+/// Numbers in [-1, 1].
+template <int Rows, int Columns>
+Matrix<Rows, Columns> random_matrix(Random& random)
 {
-public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  /// Uniform in [-1, 1].
-  double operator()() { return 2.0 * static_cast<double>(engine_()) / 4294967295.0 - 1.0; }
-
-  template <int Rows, int Columns>
-  Matrix<Rows, Columns> matrix()
-  {
-    return Matrix<Rows, Columns>::NullaryExpr([this](Eigen::Index, Eigen::Index) { return (*this)(); });
-  }
-
-private:
-  std::mt19937 engine_;
-};
+  return Matrix<Rows, Columns>::NullaryExpr([&](Eigen::Index, Eigen::Index) { return random.unit(); });
+}
 
 /// Quadratic costs, dynamics and rows with random coefficients:
 ///   l = 1/2 z' Q z + q' z,   F_i = A_i z + b_i + 1/2 bend z' C z,   g_j = a_j' r + 1/2 bend r' D r,
@@ -65,12 +52,12 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
     for (std::size_t k = 0; k <= intervals; ++k)
     {
       Stage stage;
-      stage.Q = random.matrix<NZ, NZ>();
-      stage.C = random.matrix<NZ, NZ>();
-      stage.q = random.matrix<NZ, 1>();
-      stage.A = 0.7 * random.matrix<NX, NZ>();
-      stage.b = random.matrix<NX, 1>();
-      stage.D = random.matrix<NQ, NQ>();
+      stage.Q = random_matrix<NZ, NZ>(random);
+      stage.C = random_matrix<NZ, NZ>(random);
+      stage.q = random_matrix<NZ, 1>(random);
+      stage.A = 0.7 * random_matrix<NX, NZ>(random);
+      stage.b = random_matrix<NX, 1>(random);
+      stage.D = random_matrix<NQ, NQ>(random);
       stage.Q = (stage.Q + stage.Q.transpose()).eval() / 2.0 + convexity * Matrix<NZ, NZ>::Identity();
       stage.C = (stage.C + stage.C.transpose()).eval() / 2.0;
       stage.D = (stage.D + stage.D.transpose()).eval() / 2.0;
@@ -79,7 +66,7 @@ struct RandomModel : ModelBase<NX, NU, NR, NW>
       stage.D.bottomRows(NQ - narrow).setZero();
       for (int i = 0; i < kMostRows; ++i)
       {
-        stage.a.push_back(random.matrix<NQ, 1>());
+        stage.a.push_back(random_matrix<NQ, 1>(random));
         if (k == intervals || i >= NW) stage.a.back().tail(NQ - narrow).setZero();
       }
       stage.wide_D = stage.D;
@@ -170,8 +157,8 @@ Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR, NW>& model, int row
 {
   const std::size_t intervals = model.stages.size() - 1;
   std::vector<Vector<NU>> controls;
-  for (std::size_t k = 0; k < intervals; ++k) controls.push_back(0.5 * random.matrix<NU, 1>());
-  const Trajectory<NX, NU> inside = roll_out(model, random.matrix<NX, 1>(), controls);
+  for (std::size_t k = 0; k < intervals; ++k) controls.push_back(0.5 * random_matrix<NU, 1>(random));
+  const Trajectory<NX, NU> inside = roll_out(model, random_matrix<NX, 1>(random), controls);
   Problem<NX, NU> problem;
   problem.reset(intervals);
   problem.initial_state = inside.states.front();
@@ -182,13 +169,14 @@ Problem<NX, NU> random_problem(const RandomModel<NX, NU, NR, NW>& model, int row
     const Vector<NX + NU> z = model.join(inside.states[k], k < intervals ? controls[k] : Vector<NU>::Zero());
     for (int i = 0; i < NX + NU; ++i)
     {
-      if (random() > 0.0) problem.bounds[k].lower[i] = z[i] - 0.6 + 0.5 * random();
-      if (random() > 0.0) problem.bounds[k].upper[i] = z[i] + 0.6 + 0.5 * random();
+      if (random.unit() > 0.0) problem.bounds[k].lower[i] = z[i] - 0.6 + 0.5 * random.unit();
+      if (random.unit() > 0.0) problem.bounds[k].upper[i] = z[i] + 0.6 + 0.5 * random.unit();
     }
     Eigen::VectorXd values(rows_per_stage);
     model.rows(k, z.template head<RandomModel<NX, NU, NR, NW>::NQ>(), {values.data(), rows_per_stage});
     for (int i = 0; i < rows_per_stage; ++i)
-      problem.add_row(k, {values[i] + 0.6 + 0.5 * random(), random() > 0.0 ? 10.0 + 5.0 * random() : kInfinity});
+      problem.add_row(
+          k, {values[i] + 0.6 + 0.5 * random.unit(), random.unit() > 0.0 ? 10.0 + 5.0 * random.unit() : kInfinity});
   }
   return problem;
 }

@@ -77,7 +77,7 @@ TEST(LogSum, EqualsTheSumOfLogarithms)
     double slow = 0.0;
     for (int i = 0; i < 1000; ++i)
     {
-      const double value = std::pow(10.0, decades * random());
+      const double value = std::pow(10.0, decades * random.unit());
       fast.add(value);
       slow += std::log(value);
     }
@@ -104,20 +104,21 @@ RandomPoint::Point random_step(RandomPoint& scene)
   for (std::size_t k = 0; k <= scene.intervals; ++k)
   {
     auto& stage = step.stages[k];
-    stage.z = scene.random.matrix<RandomPoint::NZ, 1>();
-    stage.lambda = scene.random.matrix<RandomPoint::NX, 1>();
+    stage.z = random_matrix<RandomPoint::NZ, 1>(scene.random);
+    stage.lambda = random_matrix<RandomPoint::NX, 1>(scene.random);
     if (k == 0) stage.z.head<RandomPoint::NX>().setZero();
     if (k == scene.intervals) stage.z.tail<RandomPoint::NU>().setZero();
     for (int i = 0; i < RandomPoint::NZ; ++i)
     {
-      stage.lower[i] = scene.point.stages[k].lower[i] > 0.0 ? 4.0 * scene.random() : 0.0;
-      stage.upper[i] = scene.point.stages[k].upper[i] > 0.0 ? 4.0 * scene.random() : 0.0;
+      stage.lower[i] = scene.point.stages[k].lower[i] > 0.0 ? 4.0 * scene.random.unit() : 0.0;
+      stage.upper[i] = scene.point.stages[k].upper[i] > 0.0 ? 4.0 * scene.random.unit() : 0.0;
     }
   }
   for (std::size_t i = 0; i < step.rows.size(); ++i)
   {
-    const double dy = 2.0 * scene.random();
-    step.rows[i] = {2.0 * scene.random(), scene.point.rows[i].excess > 0.0 ? 2.0 * scene.random() : 0.0, dy, -dy};
+    const double dy = 2.0 * scene.random.unit();
+    step.rows[i] = {2.0 * scene.random.unit(), scene.point.rows[i].excess > 0.0 ? 2.0 * scene.random.unit() : 0.0, dy,
+                    -dy};
   }
   step.nu.setZero();
   return step;

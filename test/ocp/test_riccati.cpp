@@ -33,11 +33,11 @@ Stages random_stages(double convexity, Random& random)
   Stages stages(kIntervals + 1);
   for (auto& stage : stages)
   {
-    const Matrix<NZ, NZ> half = random.matrix<NZ, NZ>();
+    const Matrix<NZ, NZ> half = random_matrix<NZ, NZ>(random);
     stage.hessian = half + half.transpose() + convexity * Matrix<NZ, NZ>::Identity();
-    stage.jacobian_transposed = random.matrix<NZ, NX>();
-    stage.gradient = random.matrix<NZ, 1>();
-    stage.defect = random.matrix<NX, 1>();
+    stage.jacobian_transposed = random_matrix<NZ, NX>(random);
+    stage.gradient = random_matrix<NZ, 1>(random);
+    stage.defect = random_matrix<NX, 1>(random);
   }
   return stages;
 }
@@ -147,8 +147,8 @@ TEST(Riccati, FactorisesExactlyTheProblemsThatHaveAMinimum)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    const double regularization = 0.5 + 0.5 * random();
-    Stages stages = random_stages(2.0 + 2.0 * random(), random);
+    const double regularization = 0.5 + 0.5 * random.unit();
+    Stages stages = random_stages(2.0 + 2.0 * random.unit(), random);
     Riccati<NX, NU> riccati;
     riccati.resize(stages.size());
     const bool factorized = riccati.factorize(stages, regularization);

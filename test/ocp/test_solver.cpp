@@ -42,10 +42,11 @@ TEST(Models, DerivativesAreThoseOfTheValues)
   car.half_planes = {{0.6, 0.8}, {-1.0, 0.0}, {0.0, -1.0}};
   for (int i = 0; i < 20; ++i)
   {
-    expect_derivatives(Shuttle(), 0, random.matrix<4, 1>(), random.matrix<2, 1>(), Eigen::VectorXd());
-    expect_derivatives(car, 1, random.matrix<7, 1>(), random.matrix<4, 1>(), random.matrix<3, 1>());
+    expect_derivatives(Shuttle(), 0, random_matrix<4, 1>(random), random_matrix<2, 1>(random), Eigen::VectorXd());
+    expect_derivatives(car, 1, random_matrix<7, 1>(random), random_matrix<4, 1>(random), random_matrix<3, 1>(random));
     const Quadratic quadratic(2, 1.0, 0.5, random);
-    expect_derivatives(quadratic, 1, random.matrix<6, 1>(), random.matrix<4, 1>(), random.matrix<3, 1>());
+    expect_derivatives(quadratic, 1, random_matrix<6, 1>(random), random_matrix<4, 1>(random),
+                       random_matrix<3, 1>(random));
   }
 }
 

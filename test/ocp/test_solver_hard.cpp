@@ -159,7 +159,7 @@ TEST(SolverHard, RandomNumbersAsAProblemAlwaysEnd)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    const double scale = std::pow(10.0, 8.0 * random());
+    const double scale = std::pow(10.0, 8.0 * random.unit());
     const Model model(4, 0.0, scale, random);
     Problem<3, 2> problem = random_problem(model, 2, random);
     for (auto& bounds : problem.bounds)
@@ -167,7 +167,7 @@ TEST(SolverHard, RandomNumbersAsAProblemAlwaysEnd)
       bounds.lower.array() -= scale;
       bounds.upper.array() += scale;
     }
-    for (auto& row : problem.rows) row.upper += scale * random();
+    for (auto& row : problem.rows) row.upper += scale * random.unit();
     problem.initial_state *= scale;
     Options options;
     options.max_iterations = 60;

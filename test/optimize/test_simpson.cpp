@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "../support/random.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
@@ -22,13 +21,12 @@ struct Sample
   State lambda;
 };
 
-Sample random_sample(std::mt19937& random)
+Sample random_sample(Random& random)
 {
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
   Sample sample;
-  sample.x << 3 * unit(random), 3 * unit(random), 4 * unit(random), unit(random), 0.3 * unit(random);
-  sample.u << 5 * unit(random), 0.8 * unit(random), 0.15 + 0.1 * unit(random);
-  for (int i = 0; i < 5; ++i) sample.lambda[i] = unit(random);
+  sample.x << 3 * random.unit(), 3 * random.unit(), 4 * random.unit(), random.unit(), 0.3 * random.unit();
+  sample.u << 5 * random.unit(), 0.8 * random.unit(), 0.15 + 0.1 * random.unit();
+  for (int i = 0; i < 5; ++i) sample.lambda[i] = random.unit();
   return sample;
 }
 
@@ -41,7 +39,7 @@ protected:
 
 TEST_P(Simpson, MeetsAFineIntegrationOfTheBodyTwist)
 {
-  std::mt19937 random(kSeed);
+  Random random(kSeed);
   for (int trial = 0; trial < 200; ++trial)
   {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " trial " << trial);
@@ -82,7 +80,7 @@ TEST_P(Simpson, ErrorFallsWithTheFourthPowerOfTheIntervalOrFaster)
 
 TEST_P(Simpson, JacobianMeetsDifferences)
 {
-  std::mt19937 random(kSeed);
+  Random random(kSeed);
   for (int trial = 0; trial < 100; ++trial)
   {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed << " trial " << trial);
@@ -105,7 +103,7 @@ TEST_P(Simpson, JacobianMeetsDifferences)
 
 TEST_P(Simpson, HessianMeetsDifferencesOfTheJacobian)
 {
-  std::mt19937 random(kSeed + 1);
+  Random random(kSeed + 1);
   for (int trial = 0; trial < 100; ++trial)
   {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed + 1 << " trial " << trial);

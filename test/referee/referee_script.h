@@ -79,23 +79,6 @@ private:
   Trajectory points_;
 };
 
-inline OccupancyGrid empty_grid(int width, int height, double resolution, const Pose& origin = {})
-{
-  OccupancyGrid grid;
-  grid.width = width;
-  grid.height = height;
-  grid.resolution = resolution;
-  grid.origin = origin;
-  grid.data.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  return grid;
-}
-
-inline void occupy(OccupancyGrid& grid, int column, int row, std::int8_t value = 100)
-{
-  grid.data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(column)] =
-      value;
-}
-
 /// All sentences of a verdict, for messages.
 inline std::string sentences(const Verdict& verdict)
 {

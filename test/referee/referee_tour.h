@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "../support/grids.h"
 #include "referee_script.h"
 
 namespace fourwis
@@ -14,7 +15,7 @@ inline constexpr double kDegree = M_PI / 180.0;
 
 inline const OccupancyGrid& hall()
 {
-  static const OccupancyGrid grid = empty_grid(400, 400, 0.05, {-10.0, -10.0, 0.0});
+  static const OccupancyGrid grid = free_grid(400, 400, 0.05, {-10.0, -10.0, 0.0});
   return grid;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "../support/grids.h"
 #include "fourwis_navigation/referee/referee.h"
 #include "referee_script.h"
 
@@ -17,14 +18,14 @@ Script corner()
 /// 10 x 6 m with the cells around a place occupied.
 Referee with_post(double x, double y)
 {
-  OccupancyGrid grid = empty_grid(200, 120, 0.05);
+  OccupancyGrid grid = free_grid(200, 120, 0.05);
   occupy(grid, static_cast<int>(x / grid.resolution), static_cast<int>(y / grid.resolution));
   return Referee(grid, {}, {});
 }
 
 TEST(VerifyAhead, SeesNothingOnTheGridThatTheTrajectoryWasAcceptedOn)
 {
-  const Referee free(empty_grid(200, 120, 0.05), {}, {});
+  const Referee free(free_grid(200, 120, 0.05), {}, {});
   const Script script = corner();
   ASSERT_TRUE(free.judge(script.start(), script.end(), script.points()).accepted());
   for (double t = -1.0; t < 10.0; t += 0.07) EXPECT_FALSE(free.first_violation_from(t, script.points())) << "t " << t;
@@ -70,7 +71,7 @@ TEST(VerifyAhead, SeesWhatLiesOnAnArc)
   {
     const auto hit = with_post(script.end().x, script.end().y).first_violation_from(t, script.points());
     EXPECT_TRUE(hit) << "t " << t;
-    EXPECT_FALSE(Referee(empty_grid(200, 120, 0.05), {}, {}).first_violation_from(t, script.points())) << "t " << t;
+    EXPECT_FALSE(Referee(free_grid(200, 120, 0.05), {}, {}).first_violation_from(t, script.points())) << "t " << t;
   }
 }
 

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <thread>
 
-#include "../planner/brute_clearance.h"
+#include "../support/grids.h"
+#include "../support/random.h"
+#include "brute_clearance.h"
 #include "referee_script.h"
 
 namespace fourwis
@@ -15,34 +16,26 @@ namespace fourwis
 namespace
 {
 
-class Dice
+/// Cells occupied or unknown with the given probability.
+OccupancyGrid random_grid(Random& random, double resolution, double probability, int cells)
 {
-public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+  const int height = cells + random.whole(-10, 10);
+  Pose origin = {random.between(-9.0, 9.0), random.between(-9.0, 9.0), 0.0};
+  if (random.chance(0.75)) origin.theta = random.between(-4.0, 4.0);
+  OccupancyGrid grid = free_grid(cells, height, resolution, origin);
+  for (auto& value : grid.data)
+    if (random.chance(probability)) value = random.chance(0.5) ? 100 : -1;
+  return grid;
+}
 
-  OccupancyGrid grid(double resolution, double share, int cells)
-  {
-    OccupancyGrid grid = empty_grid(cells, cells + integer(-10, 10), resolution,
-                                    {real(-9.0, 9.0), real(-9.0, 9.0), integer(0, 3) ? real(-4.0, 4.0) : 0.0});
-    for (auto& value : grid.data)
-      if (real(0.0, 1.0) < share) value = static_cast<std::int8_t>(integer(0, 1) ? 100 : -1);
-    return grid;
-  }
-
-  /// A pose in the map frame somewhere on the grid, a little beyond it now and then.
-  Pose pose(const OccupancyGrid& grid)
-  {
-    const double w = grid.width * grid.resolution, h = grid.height * grid.resolution;
-    const double theta = integer(0, 4) ? real(-7.0, 7.0) : integer(-4, 4) * M_PI_4;
-    const double turn = integer(0, 1) ? theta : theta - grid.origin.theta;
-    return compose(grid.origin, {real(-0.02, 1.02) * w, real(-0.02, 1.02) * h, turn});
-  }
-
-private:
-  std::mt19937 engine_;
-};
+/// A pose in the map frame somewhere on the grid, a little beyond it now and then.
+Pose random_pose(Random& random, const OccupancyGrid& grid)
+{
+  const double w = grid.width * grid.resolution, h = grid.height * grid.resolution;
+  const double theta = random.chance(0.8) ? random.between(-7.0, 7.0) : random.whole(-4, 4) * M_PI_4;
+  const double turn = random.chance(0.5) ? theta : theta - grid.origin.theta;
+  return compose(grid.origin, {random.between(-0.02, 1.02) * w, random.between(-0.02, 1.02) * h, turn});
+}
 
 Verdict stand(const Referee& referee, const Pose& pose)
 {
@@ -55,17 +48,19 @@ TEST(VerifyCollision, OfStandingBodiesAgreesWithBruteForceOnRandomGrids)
   for (unsigned seed = 1; seed <= 60; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Dice dice(seed);
+    Random random(seed);
     const double resolution = std::array<double, 5>{0.02, 0.05, 0.1, 0.31, 1.0}[seed % 5];
-    const OccupancyGrid grid = dice.grid(resolution, dice.real(0.0, 1.0) * 0.3 * resolution, dice.integer(60, 140));
+    const double share = random.between(0.0, 0.3) * resolution;
+    const int cells_per_side = random.whole(60, 140);
+    const OccupancyGrid grid = random_grid(random, resolution, share, cells_per_side);
     Robot robot;
-    if (seed % 3 == 0) robot.length = dice.real(0.1, 1.5), robot.width = dice.real(0.1, 1.5);
+    if (seed % 3 == 0) robot.length = random.between(0.1, 1.5), robot.width = random.between(0.1, 1.5);
     const ObstacleRule rule{65, seed % 2 == 0};
     const Referee referee(grid, rule, robot);
     const std::vector<Quad> cells = obstacles(grid, rule);
     for (int k = 0; k < 20; ++k)
     {
-      const Pose pose = dice.pose(grid);
+      const Pose pose = random_pose(random, grid);
       const double expected = brute_clearance(grid, cells, pose, robot);
       if (std::abs(expected) < 1e-7) continue;
       const Verdict verdict = stand(referee, pose);
@@ -81,15 +76,15 @@ TEST(VerifyCollision, OfStandingBodiesAgreesWithBruteForceOnRandomGrids)
 
 TEST(VerifyCollision, SeesASingleCellWhereverItIsUnderTheBody)
 {
-  Dice dice(7);
+  Random random(7);
   const Pose pose{2.0, 2.0, 0.7};
   int inside = 0;
   for (int k = 0; k < 400; ++k)
   {
-    OccupancyGrid grid = empty_grid(90, 90, 0.05, {dice.real(-0.1, 0.1), dice.real(-0.1, 0.1), 0.0});
-    const int column = dice.integer(25, 55), row = dice.integer(25, 55);
+    OccupancyGrid grid = free_grid(90, 90, 0.05, {random.between(-0.1, 0.1), random.between(-0.1, 0.1), 0.0});
+    const int column = random.whole(25, 55), row = random.whole(25, 55);
     occupy(grid, column, row);
-    const double expected = separation(body(pose), cell(grid, column, row));
+    const double expected = separation(body(pose), square_of(grid, column, row));
     const Verdict verdict = stand(Referee(grid, {}, {}), pose);
     EXPECT_EQ(verdict.accepted(), expected >= 0.0) << column << ' ' << row << ' ' << expected;
     if (expected >= 0.0) continue;
@@ -104,7 +99,7 @@ TEST(VerifyCollision, TouchingIsFree)
   // Body 1.0 x 0.6 at (2, 2): its edges lie on cell borders, and cells touch it on all sides and at its corners.
   Robot robot;
   robot.width = 0.6;
-  OccupancyGrid grid = empty_grid(40, 40, 0.1);
+  OccupancyGrid grid = free_grid(40, 40, 0.1);
   for (int column = 14; column <= 25; ++column) occupy(grid, column, 16), occupy(grid, column, 23);
   for (int row = 16; row <= 23; ++row) occupy(grid, 14, row), occupy(grid, 25, row);
   const Referee referee(grid, {}, robot);
@@ -120,7 +115,7 @@ TEST(VerifyCollision, TouchingIsFree)
 TEST(VerifyCollision, TheBorderOfTheGridMayBeTouchedButNotCrossed)
 {
   const Pose origin{3.0, -2.0, 0.5};
-  const OccupancyGrid grid = empty_grid(50, 40, 0.1, origin);  // 5 m x 4 m
+  const OccupancyGrid grid = free_grid(50, 40, 0.1, origin);  // 5 m x 4 m
   const Referee referee(grid, {}, {});
   for (const auto& [x, y] : {std::pair(0.5, 2.0), {4.5, 2.0}, {2.0, 0.31}, {2.0, 3.69}})
   {
@@ -135,7 +130,7 @@ TEST(VerifyCollision, TheBorderOfTheGridMayBeTouchedButNotCrossed)
 TEST(VerifyCollision, CellsAreObstaclesByTheRule)
 {
   const auto collides = [](std::int8_t value, const ObstacleRule& rule) {
-    OccupancyGrid grid = empty_grid(60, 60, 0.05);
+    OccupancyGrid grid = free_grid(60, 60, 0.05);
     occupy(grid, 30, 30, value);
     return !stand(Referee(grid, rule, {}), {1.5, 1.5, 0.0}).accepted();
   };
@@ -148,7 +143,7 @@ TEST(VerifyCollision, CellsAreObstaclesByTheRule)
 
 TEST(VerifyCollision, SeesAPostBetweenTwoPointsFarApart)
 {
-  OccupancyGrid grid = empty_grid(300, 80, 0.05);
+  OccupancyGrid grid = free_grid(300, 80, 0.05);
   const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(1.0, 10.0);
   EXPECT_TRUE(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).accepted());
   occupy(grid, 150, 40);
@@ -164,7 +159,7 @@ TEST(VerifyCollision, SeesThatACellIsGrazedByMicrometres)
   for (const double speed : {0.3, 0.7, 1.0})
     for (const double gap : {-1e-5, 1e-5})
     {
-      OccupancyGrid grid = empty_grid(300, 80, 0.05, {0.0, 0.01 + gap, 0.0});
+      OccupancyGrid grid = free_grid(300, 80, 0.05, {0.0, 0.01 + gap, 0.0});
       occupy(grid, 150, 46);
       const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(speed, 10.0 / speed);
       const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
@@ -176,7 +171,7 @@ TEST(VerifyCollision, SeesThatACellIsGrazedByMicrometres)
 TEST(VerifyCollision, SeesACornerNickedForLittleMoreThanAMillimetre)
 {
   // The front left corner of the body moves down to the right past the lower left corner of a cell, at (3, 3).
-  OccupancyGrid grid = empty_grid(120, 120, 0.05);
+  OccupancyGrid grid = free_grid(120, 120, 0.05);
   occupy(grid, 60, 60);
   const Referee referee(grid, {}, {});
   for (const double depth : {0.00065, -0.0005})
@@ -197,7 +192,7 @@ TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
   for (const double heading : {0.0, M_PI})  // towards the wall, away from it
     for (const double gap : {0.003, 0.0437, 0.291})
     {
-      OccupancyGrid grid = empty_grid(120, 80, 0.05);
+      OccupancyGrid grid = free_grid(120, 80, 0.05);
       for (int row = 0; row < 80; ++row) occupy(grid, 100, row);
       const Script there = Script({}, Mode::ackermann).drive(0.7, 2.0);
       const double x = 5.0 - 0.5 - gap - (heading == 0.0 ? there.end().x : 0.0);
@@ -207,14 +202,15 @@ TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
 }
 
 /// A random drive in one or two modes with phi changing in motion; limits are not its concern.
-Script random_drive(Dice& dice, const Pose& start)
+Script random_drive(Random& random, const Pose& start)
 {
-  Script script(start, kPlannedModes[static_cast<std::size_t>(dice.integer(0, 2))], dice.real(-0.5, 0.5));
-  for (int k = dice.integer(1, 2); k > 0; --k)
+  Script script(start, random.mode(), random.between(-0.5, 0.5));
+  for (int k = random.whole(1, 2); k > 0; --k)
   {
-    script.go(0.5, dice.real(-1.0, 1.0), dice.real(-0.5, 0.5)).go(1.0, dice.real(-1.0, 1.0), dice.real(-0.5, 0.5));
-    script.go(0.5, 0.0, dice.real(-0.5, 0.5));
-    if (k > 1) script.switch_to(kPlannedModes[static_cast<std::size_t>(dice.integer(0, 2))], 0.0, 1.0);
+    script.go(0.5, random.between(-1.0, 1.0), random.between(-0.5, 0.5))
+        .go(1.0, random.between(-1.0, 1.0), random.between(-0.5, 0.5));
+    script.go(0.5, 0.0, random.between(-0.5, 0.5));
+    if (k > 1) script.switch_to(random.mode(), 0.0, 1.0);
   }
   return script;
 }
@@ -253,10 +249,11 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
   for (unsigned seed = 1; seed <= 120; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Dice dice(seed);
-    OccupancyGrid grid = empty_grid(70, 70, 0.1, {dice.real(-4.0, 4.0), dice.real(-4.0, 4.0), dice.real(-3.0, 3.0)});
-    for (int k = dice.integer(0, 20); k > 0; --k) occupy(grid, dice.integer(0, 69), dice.integer(0, 69));
-    const Script script = random_drive(dice, compose(grid.origin, {3.5, 3.5, dice.real(-3.0, 3.0)}));
+    Random random(seed);
+    OccupancyGrid grid =
+        free_grid(70, 70, 0.1, {random.between(-4.0, 4.0), random.between(-4.0, 4.0), random.between(-3.0, 3.0)});
+    for (int k = random.whole(0, 20); k > 0; --k) occupy(grid, random.whole(0, 69), random.whole(0, 69));
+    const Script script = random_drive(random, compose(grid.origin, {3.5, 3.5, random.between(-3.0, 3.0)}));
     double expected = INFINITY;
     const std::vector<Quad> cells = obstacles(grid, {});
     for (const Pose& pose : dense_poses(script)) expected = std::min(expected, brute_clearance(grid, cells, pose));
@@ -290,7 +287,7 @@ TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
   for (int k = 0; k < 60; ++k)
   {
     SCOPED_TRACE(k);
-    OccupancyGrid grid = empty_grid(600, 600, 0.01);
+    OccupancyGrid grid = free_grid(600, 600, 0.01);
     occupy(grid, 390, 268);  // beside the body, which moves away: where the least clearance is, all others are far
     // Between the circle that the front edge touches and that of the corners.
     const double angle = 0.3 + 0.02 * k, reach = ahead + 0.02;
@@ -310,7 +307,7 @@ TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
 /// What a rolled-out motion may miss the next point by is a motion, too.
 TEST(VerifyCollision, SeesWhatIsMetWithinTheTolerancesOfTheRollOut)
 {
-  OccupancyGrid grid = empty_grid(80, 80, 0.05);
+  OccupancyGrid grid = free_grid(80, 80, 0.05);
   occupy(grid, 44, 50);  // 0.55 m from the middle, within the circle of the corners
   const Pose turn{0.0, 0.0, 0.009}, shift{0.004, 0.0, 0.0};
   for (const auto& [start, step] : {std::pair(Pose{2.0, 2.0, 0.0}, turn), {Pose{0.8, 2.3, 0.0}, shift}})
@@ -332,11 +329,11 @@ TEST(VerifyCollision, SeesWhatIsMetWithinTheTolerancesOfTheRollOut)
 
 TEST(VerifyCollision, OneRefereeJudgesInSeveralThreads)
 {
-  Dice dice(3);
-  OccupancyGrid grid = empty_grid(140, 140, 0.05);
-  for (int k = 0; k < 20; ++k) occupy(grid, dice.integer(0, 139), dice.integer(0, 139));
+  Random random(3);
+  OccupancyGrid grid = free_grid(140, 140, 0.05);
+  for (int k = 0; k < 20; ++k) occupy(grid, random.whole(0, 139), random.whole(0, 139));
   const Referee referee(grid, {}, {});
-  const Script script = random_drive(dice, {3.5, 3.5, 1.0});
+  const Script script = random_drive(random, {3.5, 3.5, 1.0});
   const Verdict expected = referee.judge(script.start(), script.end(), script.points());
   std::array<Verdict, 4> verdicts;
   std::vector<std::thread> threads;

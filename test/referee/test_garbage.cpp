@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 #include <stdexcept>
 
+#include "../support/grids.h"
 #include "referee_script.h"
 
 namespace fourwis
@@ -24,7 +24,7 @@ Script drive()
 
 const Referee& referee()
 {
-  static const Referee instance(empty_grid(200, 200, 0.05, {-5.0, -5.0, 0.0}), {}, {});
+  static const Referee instance(free_grid(200, 200, 0.05, {-5.0, -5.0, 0.0}), {}, {});
   return instance;
 }
 
@@ -62,15 +62,16 @@ TEST(VerifyGarbage, StartAndGoalThatAreNotFiniteAreRefused)
 TEST(VerifyGarbage, RandomGarbageInAGoodTrajectoryIsAnswered)
 {
   const double values[] = {0.0, -0.0, kNan, INFINITY, 1e-320, 1e-9, 1.0, M_PI_2, 1e5, 9e8, -9e8, 1e9, 1e18, 1e300};
-  std::mt19937 engine(11);
+  Random random(11);
   const Script script = drive();
   for (int k = 0; k < 5000; ++k)
   {
     Trajectory points = script.points();
-    for (int changes = 1 + static_cast<int>(engine() % 12); changes > 0; --changes)
+    for (int changes = random.whole(1, 12); changes > 0; --changes)
     {
-      const double value = values[engine() % 14] * (engine() % 2 ? 1.0 : -1.0);
-      *number(points[engine() % points.size()], static_cast<int>(engine() % 8)) = value;
+      const double value = values[random.whole(0, 13)] * (random.chance(0.5) ? 1.0 : -1.0);
+      const int point = random.whole(0, static_cast<int>(points.size()) - 1);
+      *number(points[static_cast<std::size_t>(point)], random.whole(0, 7)) = value;
     }
     const Verdict verdict = referee().judge(script.start(), script.end(), points);
     ASSERT_LE(verdict.violations.size(), 50u);
@@ -85,14 +86,13 @@ TEST(VerifyGarbage, RandomGarbageInAGoodTrajectoryIsAnswered)
 
 TEST(VerifyGarbage, ManyPointsOfNonsenseAreAnswered)
 {
-  std::mt19937 engine(12);
-  std::uniform_real_distribution<double> any(-1e6, 1e6);
+  Random random(12);
   Trajectory points(20000);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (int k = 1; k < 8; ++k) *number(points[i], k) = any(engine);
+    for (int k = 1; k < 8; ++k) *number(points[i], k) = random.between(-1e6, 1e6);
     points[i].t = static_cast<double>(i) * 1000.0;
-    points[i].mode = kPlannedModes[engine() % 3];
+    points[i].mode = random.mode();
   }
   EXPECT_FALSE(referee().judge({}, {}, points).accepted());
 }
@@ -122,15 +122,15 @@ TEST(VerifyGarbage, AnUnusableGridIsRefusedByName)
     }
     return "accepted";
   };
-  OccupancyGrid grid = empty_grid(10, 10, 0.1);
+  OccupancyGrid grid = free_grid(10, 10, 0.1);
   EXPECT_EQ(message(grid), "accepted");
   grid.data.pop_back();
   EXPECT_NE(message(grid).find("data size 99"), std::string::npos);
-  EXPECT_NE(message(empty_grid(0, 10, 0.1)).find("width 0"), std::string::npos);
-  EXPECT_NE(message(empty_grid(10, 0, 0.1)).find("height 0"), std::string::npos);
+  EXPECT_NE(message(free_grid(0, 10, 0.1)).find("width 0"), std::string::npos);
+  EXPECT_NE(message(free_grid(10, 0, 0.1)).find("height 0"), std::string::npos);
   for (const double resolution : {0.0, -0.1, kNan, static_cast<double>(INFINITY)})
-    EXPECT_NE(message(empty_grid(10, 10, resolution)).find("resolution"), std::string::npos);
-  EXPECT_NE(message(empty_grid(10, 10, 0.1, {0.0, 0.0, kNan})).find("origin"), std::string::npos);
+    EXPECT_NE(message(free_grid(10, 10, resolution)).find("resolution"), std::string::npos);
+  EXPECT_NE(message(free_grid(10, 10, 0.1, {0.0, 0.0, kNan})).find("origin"), std::string::npos);
 }
 
 TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
@@ -138,7 +138,7 @@ TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
   const auto message = [](const Robot& robot, const RefereeOptions& options) -> std::string {
     try
     {
-      Referee(empty_grid(10, 10, 0.1), {}, robot, options);
+      Referee(free_grid(10, 10, 0.1), {}, robot, options);
     }
     catch (const std::invalid_argument& error)
     {

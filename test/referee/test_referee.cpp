@@ -20,7 +20,7 @@ TEST(Verify, AcceptsATourThroughAllModes)
 TEST(Verify, AcceptsTheTourWhateverTheFrameOfTheGrid)
 {
   const Script tour = grand_tour();
-  const OccupancyGrid turned = empty_grid(800, 800, 0.05, {5.0, -25.0, 0.8});
+  const OccupancyGrid turned = free_grid(800, 800, 0.05, {5.0, -25.0, 0.8});
   expect_accepted(Referee(turned, {}, {}).judge(tour.start(), tour.end(), tour.points()));
 }
 

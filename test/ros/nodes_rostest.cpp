@@ -142,12 +142,9 @@ TEST(BaseSimulatorNode, a_clock_that_nobody_follows_stops_it)
 
 TEST(MapPublisherNode, publishes_latched_what_the_file_says)
 {
-  OccupancyGrid grid;
-  grid.width = 7;
-  grid.height = 5;
-  grid.resolution = 0.05;
-  grid.origin = {-1.5, 2.25, 0.3};
-  for (int i = 0; i < 35; ++i) grid.data.push_back(static_cast<std::int8_t>(i % 3 == 0 ? 100 : i % 3 == 1 ? 0 : -1));
+  OccupancyGrid grid = free_grid(7, 5, 0.05, {-1.5, 2.25, 0.3});
+  for (std::size_t i = 0; i < grid.data.size(); i += 3) grid.data[i] = 100;
+  for (std::size_t i = 2; i < grid.data.size(); i += 3) grid.data[i] = -1;
   const TemporaryFile yaml("map.yaml"), image("map.pgm");
   write_map_file(grid, yaml.path().substr(0, yaml.path().size() - 5));
 

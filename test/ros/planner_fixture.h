@@ -13,6 +13,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include "../support/grids.h"
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/PlanTrajectory.h"
 #include "fourwis_navigation/PlannerStatus.h"
@@ -31,28 +32,21 @@ using MoveBaseClient = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAct
 /// A free square map with its lower left corner at the origin and a wall of one cell around it.
 inline nav_msgs::OccupancyGrid walled_map(double side, double resolution, double stamp)
 {
-  OccupancyGrid grid;
-  grid.width = grid.height = static_cast<int>(std::lround(side / resolution));
-  grid.resolution = resolution;
-  grid.data.assign(static_cast<std::size_t>(grid.width * grid.height), 0);
+  OccupancyGrid grid = free_area(side, side, resolution);
+  wall_in(grid, 1, 1, grid.width - 2, grid.height - 2);
   std_msgs::Header header;
   header.frame_id = "map";
   header.stamp = ros::Time(stamp);
-  nav_msgs::OccupancyGrid map = to_message(grid, header);
-  for (int row = 0; row < grid.height; ++row)
-    for (int column = 0; column < grid.width; ++column)
-      if (row == 0 || column == 0 || row == grid.height - 1 || column == grid.width - 1)
-        map.data[static_cast<std::size_t>(row * grid.width + column)] = 100;
-  return map;
+  return to_message(grid, header);
 }
 
 /// Occupies the cells of a rectangle given in metres; for maps at the origin.
 inline void occupy(double x, double y, double width, double height, nav_msgs::OccupancyGrid& map)
 {
   const double resolution = map.info.resolution;
-  const auto cell = [resolution](double length) { return static_cast<int>(std::lround(length / resolution)); };
-  for (int row = cell(y); row < cell(y + height); ++row)
-    for (int column = cell(x); column < cell(x + width); ++column)
+  const auto cells = [resolution](double length) { return static_cast<int>(std::lround(length / resolution)); };
+  for (int row = cells(y); row < cells(y + height); ++row)
+    for (int column = cells(x); column < cells(x + width); ++column)
       map.data[static_cast<std::size_t>(row) * map.info.width + static_cast<std::size_t>(column)] = 100;
 }
 

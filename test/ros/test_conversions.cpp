@@ -1,11 +1,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "../support/random.h"
 #include "refusals.h"
 #include "ros/conversions.h"
 
@@ -71,11 +71,10 @@ std::string pose_refusal(const geometry_msgs::Pose& pose)
 
 TEST(Conversions, a_pose_survives_the_way_there_and_back)
 {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> coordinate(-100.0, 100.0), angle(-M_PI, M_PI);
+  Random random(7);
   for (int i = 0; i < 1000; ++i)
   {
-    const Pose pose{coordinate(random), coordinate(random), angle(random)};
+    const Pose pose = random.pose(100.0);
     SCOPED_TRACE("pose " + std::to_string(i) + " of seed 7");
     const Pose back = to_pose(to_message(pose), "pose");
     EXPECT_EQ(back.x, pose.x);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <random>
 #include <vector>
 
+#include "../support/random.h"
 #include "fourwis_navigation/model/pose.h"
 #include "search/reeds_shepp.h"
 
@@ -41,15 +41,14 @@ inline double error(const Pose& a, const Pose& b)
 /// Poses of all headings within squares of 0.01 to 100 turning radii around the origin.
 inline std::vector<Pose> random_poses(int count, unsigned seed)
 {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  Random random(seed);
   const double sizes[] = {0.01, 0.5, 2.0, 5.0, 20.0, 100.0};
   std::vector<Pose> poses;
   for (int i = 0; i < count; ++i)
   {
     const double size = sizes[i % 6];
     const double heading = i % 12 == 0 ? size : M_PI;
-    poses.push_back({size * unit(random), size * unit(random), heading * unit(random)});
+    poses.push_back({size * random.unit(), size * random.unit(), heading * random.unit()});
   }
   return poses;
 }
@@ -57,18 +56,17 @@ inline std::vector<Pose> random_poses(int count, unsigned seed)
 /// Words of up to five letters whose lengths are mostly those where one formula ends and another begins, and tiny ones.
 inline std::vector<ReedsSheppPath> border_words(int count, unsigned seed)
 {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> angle(0.0, M_PI);
+  Random random(seed);
   const double borders[] = {0.0, M_PI / 2, M_PI, M_PI / 3, 2 * M_PI / 3, 1e-3, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
   std::vector<ReedsSheppPath> words(static_cast<std::size_t>(count));
   for (ReedsSheppPath& word : words)
   {
-    word.count = 1 + random() % 5;
+    word.count = static_cast<std::size_t>(random.whole(1, 5));
     for (std::size_t i = 0; i < word.count; ++i)
     {
-      const int turn = static_cast<int>(random() % 3) - 1;
-      const double length = random() % 3 == 0 ? angle(random) : borders[random() % 11];
-      word.segments[i] = {turn, random() % 2 ? length : -length};
+      const int turn = random.whole(-1, 1);
+      const double length = random.chance(1.0 / 3.0) ? random.between(0.0, M_PI) : borders[random.whole(0, 10)];
+      word.segments[i] = {turn, random.chance(0.5) ? length : -length};
       word.length += length;
     }
   }

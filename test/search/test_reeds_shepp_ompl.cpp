@@ -3,7 +3,6 @@
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
 #include <memory>
-#include <random>
 #include <string>
 
 #include "reeds_shepp_samples.h"
@@ -50,12 +49,11 @@ void compare(double radius, double size, int pairs)
 {
   SCOPED_TRACE("seed " + std::to_string(seed) + ", radius " + std::to_string(radius));
   SCOPED_TRACE("size " + std::to_string(size));
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> place(-size, size), heading(-M_PI, M_PI);
+  Random random(seed);
   Ompl ompl(radius);
   for (int i = 0; i < pairs; ++i)
   {
-    const Pose from{place(random), place(random), heading(random)}, to{place(random), place(random), heading(random)};
+    const Pose from = random.pose(size), to = random.pose(size);
     const Pose relative = relative_to(from, to);
     const Pose goal{relative.x / radius, relative.y / radius, relative.theta};
     ASSERT_NEAR(radius * reeds_shepp_length(goal), ompl.length(from, to), accuracy) << from << " to " << to;

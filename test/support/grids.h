@@ -36,11 +36,16 @@ inline std::int8_t& cell(OccupancyGrid& grid, int column, int row)
       .data[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(column)];
 }
 
+inline void occupy(OccupancyGrid& grid, int column, int row, std::int8_t value = 100)
+{
+  cell(grid, column, row) = value;
+}
+
 /// Occupies the cells from (column, row) on, as far as they lie in the grid.
 inline void occupy_block(OccupancyGrid& grid, int column, int row, int columns, int rows)
 {
   for (int j = std::max(0, row); j < std::min(grid.height, row + rows); ++j)
-    for (int i = std::max(0, column); i < std::min(grid.width, column + columns); ++i) cell(grid, i, j) = 100;
+    for (int i = std::max(0, column); i < std::min(grid.width, column + columns); ++i) occupy(grid, i, j);
 }
 
 /// Occupies the cells of a ring of walls around the block from (column, row) on; the block itself stays as it is.

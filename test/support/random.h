@@ -20,6 +20,9 @@ public:
   explicit Random(unsigned seed) : engine_(seed) {}
 
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+  double unit() { return between(-1.0, 1.0); }
+  /// Normally distributed about 0.
+  double normal(double deviation) { return std::normal_distribution<double>(0.0, deviation)(engine_); }
   /// A whole number in low..high.
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
   bool chance(double probability) { return between(0.0, 1.0) < probability; }

@@ -116,8 +116,7 @@ TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
   constexpr int kRuns = 600, kSteps = 200;  // noise so small that its square does not shorten the way
   constexpr double kDeviation = 0.01, kSpeed = 0.5;
   const WheelMotion truth = wheel_motion(robot, Mode::ackermann, kSpeed, 0.3);
-  std::mt19937_64 engine(kSeed);
-  std::normal_distribution<double> noise(0.0, kDeviation);
+  Random random(kSeed);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero(), claimed = Eigen::Matrix3d::Zero();
   const Pose end = move({}, body_twist(robot, Mode::ackermann, kSpeed, 0.3), kSteps * kInterval);
   for (int run = 0; run < kRuns; ++run)
@@ -128,8 +127,8 @@ TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
       WheelMotion wheels = truth;
       for (std::size_t i = 0; i < kWheels; ++i)
       {
-        wheels.speed[i] += noise(engine);
-        wheels.angle[i] += noise(engine) / truth.speed[i];
+        wheels.speed[i] += random.normal(kDeviation);
+        wheels.angle[i] += random.normal(kDeviation) / truth.speed[i];
       }
       one.update(k * kInterval, wheels);
     }

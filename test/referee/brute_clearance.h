@@ -34,7 +34,7 @@ inline Quad body(const Pose& pose, const Robot& robot = {})
   return rectangle(pose, -robot.length / 2, robot.length / 2, -robot.width / 2, robot.width / 2);
 }
 
-inline Quad cell(const OccupancyGrid& grid, int column, int row)
+inline Quad square_of(const OccupancyGrid& grid, int column, int row)
 {
   const double r = grid.resolution;
   return rectangle(grid.origin, column * r, (column + 1) * r, row * r, (row + 1) * r);
@@ -88,7 +88,7 @@ inline std::vector<Quad> obstacles(const OccupancyGrid& grid, const ObstacleRule
   std::vector<Quad> quads;
   for (int row = 0; row < grid.height; ++row)
     for (int column = 0; column < grid.width; ++column)
-      if (rule.is_obstacle(grid.at(column, row))) quads.push_back(cell(grid, column, row));
+      if (rule.is_obstacle(grid.at(column, row))) quads.push_back(square_of(grid, column, row));
   return quads;
 }
 
