@@ -16,11 +16,19 @@ constexpr double kSteeringStop = 30.0, kDrivingStop = 5.0;
 /// Speed for each metre that a wheel is away from the position it is asked for [1/s].
 constexpr double kPositionGain = 20.0;
 
-/// Of an axis that moves up to `speed` and stops with `deceleration`, in its own unit.
-DriveOptions drive_options(const can::BridgeOptions& options, int node, const can::AxisScale& scale, double speed,
+/// Counts of the drive for each unit of an axis that a whole turn moves by `turn` [rad or m]; negative where it is
+/// reversed. On purpose not the bridge's own conversion, so that a mistake in one of both is noticed.
+double counts_per_unit(const can::AxisOptions& axis, double turn)
+{
+  const double counts = axis.counts_per_turn * axis.gear_ratio / turn;
+  return axis.reversed ? -counts : counts;
+}
+
+/// Of an axis with that many counts that moves up to `speed` and stops with `deceleration`, in its own unit.
+DriveOptions drive_options(const can::BridgeOptions& options, int node, double counts_per_unit, double speed,
                            double deceleration)
 {
-  const double counts = std::abs(scale.counts_per_unit());
+  const double counts = std::abs(counts_per_unit);
   DriveOptions drive;
   drive.node = static_cast<std::uint8_t>(node);
   drive.serial = static_cast<std::uint32_t>(node);
@@ -35,12 +43,12 @@ DriveOptions drive_options(const can::BridgeOptions& options, int node, const ca
 
 }  // namespace
 
-DriveAxis::DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers,
+DriveAxis::DriveAxis(const can::AxisOptions& axis, double counts_per_unit, int wheel, bool steers,
                      const DriveOptions& drive)
   : node_(axis.node),
     wheel_(wheel),
     steers_(steers),
-    counts_per_unit_(scale.counts_per_unit()),
+    counts_per_unit_(counts_per_unit),
     offset_(steers ? axis.offset : 0.0),
     drive_(drive)
 {}
@@ -48,15 +56,15 @@ DriveAxis::DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, 
 DriveAxis DriveAxis::steering(const Robot& robot, const can::BridgeOptions& options, int wheel)
 {
   const can::AxisOptions& axis = options.steering[static_cast<std::size_t>(wheel)];
-  const can::AxisScale scale = can::AxisScale::steering(axis);
-  return {axis, scale, wheel, true, drive_options(options, axis.node, scale, robot.wheel_max_rate, kSteeringStop)};
+  const double counts = counts_per_unit(axis, 2.0 * M_PI);
+  return {axis, counts, wheel, true, drive_options(options, axis.node, counts, robot.wheel_max_rate, kSteeringStop)};
 }
 
 DriveAxis DriveAxis::driving(const Robot& robot, const can::BridgeOptions& options, int wheel)
 {
   const can::AxisOptions& axis = options.driving[static_cast<std::size_t>(wheel)];
-  const can::AxisScale scale = can::AxisScale::driving(axis, options.wheel_radius);
-  return {axis, scale, wheel, false, drive_options(options, axis.node, scale, robot.wheel_max_speed, kDrivingStop)};
+  const double counts = counts_per_unit(axis, 2.0 * M_PI * options.wheel_radius);
+  return {axis, counts, wheel, false, drive_options(options, axis.node, counts, robot.wheel_max_speed, kDrivingStop)};
 }
 
 void DriveAxis::measure(const Plant& plant, double now, double dt)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fourwis_navigation/can/bridge/axis_scale.h"
 #include "fourwis_navigation/can/bridge/bridge_options.h"
 #include "fourwis_navigation/drives/fake_drive.h"
 #include "fourwis_navigation/model/robot.h"
@@ -26,15 +25,14 @@ public:
   void actuate(Plant& plant, double dt, bool stuck, bool dead);
 
 private:
-  DriveAxis(const can::AxisOptions& axis, const can::AxisScale& scale, int wheel, bool steers,
-            const DriveOptions& drive);
+  DriveAxis(const can::AxisOptions& axis, double counts_per_unit, int wheel, bool steers, const DriveOptions& drive);
 
   void steer(Plant& plant, const AxisDemand& demand, double dt, bool powered);
   void roll(Plant& plant, const AxisDemand& demand, bool stuck, bool powered);
 
   int node_, wheel_;
   bool steers_;
-  double counts_per_unit_;  ///< count/rad where it steers, count/m where it drives
+  double counts_per_unit_;  ///< count/rad where it steers, count/m where it drives; negative where it is reversed
   double offset_;           ///< where its count is 0 [rad or m]
   FakeDrive drive_;
   AxisMotion motor_;

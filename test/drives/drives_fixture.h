@@ -19,7 +19,10 @@ inline constexpr double kPerMetre = kDrivingTurn / (2.0 * M_PI * kWheelRadius);
 class DrivesFixture : public ::testing::Test
 {
 protected:
-  explicit DrivesFixture(const can::MemoryBusOptions& bus = {}) : bus_(bus) {}
+  explicit DrivesFixture(const can::MemoryBusOptions& bus = {}, const can::BridgeOptions& base = {})
+    : bus_(bus),
+      drives(*drives_end_, Robot(), base, SimulatorOptions())
+  {}
 
   /// Lets time pass in steps of 1 ms; every tenth the master speaks, unless it is silent.
   void pass(double seconds)
@@ -102,7 +105,7 @@ private:
   std::unique_ptr<can::Bus> drives_end_ = bus_.open(), master_end_ = bus_.open(), listener_end_ = bus_.open();
 
 protected:
-  FakeDrives drives{*drives_end_, Robot(), can::BridgeOptions(), SimulatorOptions()};
+  FakeDrives drives;
   RawMaster master{*master_end_};
   BusRecorder recorder{*listener_end_};
   bool speaks = false;

@@ -42,6 +42,53 @@ TEST_F(FakeDrivesTest, SayWhatTheWheelsDo)
     EXPECT_NEAR(number(recorder.of(0x280 + node, now - 0.015).back(), 4), truth.speed[node - 5] * kPerMetre, 20.0);
 }
 
+can::BridgeOptions odd_base()
+{
+  can::BridgeOptions base;
+  base.wheel_radius = 0.2;
+  base.steering[0].gear_ratio = 30.0;
+  base.steering[1].offset = 0.5;
+  base.steering[2].reversed = true;
+  base.steering[2].offset = -0.2;
+  base.driving[0].counts_per_turn = 4096.0;
+  base.driving[3].reversed = true;
+  return base;
+}
+
+class OddDrives : public DrivesFixture
+{
+protected:
+  OddDrives() : DrivesFixture({}, odd_base()) {}
+};
+
+/// Node by node: a turn is counts_per_turn * gear_ratio counts.
+TEST_F(OddDrives, CountWhatTheirMotorsAndGearsMake)
+{
+  configure();
+  const double steering_turn = 65536.0 * 60.0, driving_turn = 65536.0 * 20.0, turn = 2.0 * M_PI;
+  // 1 rad, at 2 rad/s: a jump would be a following error.
+  for (int step = 1; step <= 50; ++step)
+  {
+    const double angle = 0.02 * step;
+    master.target[0] = angle * steering_turn / 2.0 / turn;
+    master.target[1] = (angle - 0.5) * steering_turn / turn;
+    master.target[2] = -(angle + 0.2) * steering_turn / turn;
+    master.target[3] = angle * steering_turn / turn;
+    if (step == 1) enable();
+    pass(0.01);
+  }
+  const double metre = driving_turn / (turn * 0.2);
+  for (std::size_t k = 4; k < 8; ++k) master.target[k] = 0.5 * metre;
+  master.target[4] = 0.5 * metre / 16.0;
+  master.target[7] = -0.5 * metre;
+  pass(0.5);
+  for (std::size_t wheel = 0; wheel < 4; ++wheel)
+  {
+    EXPECT_NEAR(drives.truth().angle[wheel], 1.0, 1e-3) << wheel;
+    EXPECT_NEAR(drives.truth().speed[wheel], 0.5, 1e-3) << wheel;
+  }
+}
+
 TEST_F(FakeDrivesTest, AnswerEverySyncWithTwoFramesEach)
 {
   drive_at(0.2);

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/can/bridge/axis_scale.h"
+#include "axis_scale.h"
 
 #include <cmath>
 #include <limits>

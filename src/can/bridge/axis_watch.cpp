@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourwis_navigation/can/bridge/axis_scale.h"
+#include "axis_scale.h"
 
 namespace fourwis::can
 {

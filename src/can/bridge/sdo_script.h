@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fourwis_navigation/can/bridge/axis_scale.h"
+#include "axis_scale.h"
 #include "fourwis_navigation/can/bridge/faults.h"
 #include "fourwis_navigation/can/protocol/cia402.h"
 #include "fourwis_navigation/can/protocol/sdo.h"
