@@ -38,7 +38,7 @@ CommunicationEvent Communication::receive(double now, const can::Frame& frame)
     const bool for_us = frame.size == 2 && (frame.data[1] == 0 || frame.data[1] == node_);
     return for_us ? manage(frame.data[0]) : CommunicationEvent::none;
   }
-  hear(now, frame);
+  watch_heartbeat(now, frame);
   if (state_ == NmtState::stopped) return CommunicationEvent::none;
   if (frame.id == cob::kSdoRequest + node_)
   {
@@ -83,7 +83,7 @@ void Communication::receive_process_data(const can::Frame& frame)
     raise(kPdoTooShort);
 }
 
-void Communication::hear(double now, const can::Frame& frame)
+void Communication::watch_heartbeat(double now, const can::Frame& frame)
 {
   consumer_.configure(dictionary_.get(object::kHeartbeatConsumer, 1));
   const bool is_heartbeat = frame.size == 1 && frame.data[0] != 0 && frame.id == cob::kHeartbeat + consumer_.node();

@@ -41,7 +41,7 @@ private:
   CommunicationEvent manage(std::uint8_t command);
   void enter(NmtState state);
   void receive_process_data(const can::Frame& frame);
-  void hear(double now, const can::Frame& frame);
+  void watch_heartbeat(double now, const can::Frame& frame);
   void lose_master(double now);
   void send_emergency(const can::Frame& frame);
 

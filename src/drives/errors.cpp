@@ -25,7 +25,7 @@ std::uint8_t register_of(std::uint16_t code)
 }
 
 /// The newest comes first.
-void remember(ObjectDictionary& dictionary, std::uint16_t code)
+void record(ObjectDictionary& dictionary, std::uint16_t code)
 {
   for (std::uint8_t k = kErrorsKept; k > 1; --k)
     dictionary.set({object::kErrorHistory, k}, dictionary.get(object::kErrorHistory, k - 1));
@@ -48,7 +48,7 @@ can::Frame record_error(ObjectDictionary& dictionary, std::uint8_t node, std::ui
 {
   dictionary.set(object::kErrorRegister, dictionary.get(object::kErrorRegister) | register_of(code));
   dictionary.set(object::kErrorCode, code);
-  remember(dictionary, code);
+  record(dictionary, code);
   return emergency(dictionary, node, code);
 }
 

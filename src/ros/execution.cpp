@@ -16,11 +16,11 @@ namespace
 
 using fourwis_navigation::PlannerStatus;
 
-/// Whoever enables a base does not expect it to go on to a goal from before.
+/// A person who enables a base does not expect it to go on to an earlier goal.
 constexpr const char* kDisabled = "the base was not enabled at some time since the goal was given; give a new one";
 
-/// Nobody notifies when something happens that a trip waits for.
-void nap()
+/// Between two looks at the controller's reports and the maps: nothing wakes this thread when they change.
+void poll_pause()
 {
   ros::WallDuration(0.005).sleep();
 }
@@ -49,119 +49,119 @@ Execution::Execution(const GlobalPlannerOptions& options, const PoseSource& pose
 
 GoalOutcome Execution::pursue(const Goal& goal, const std::atomic<bool>& cancelled)
 {
-  Trip trip{goal, cancelled, goal.given, "a new goal", options_.replan_attempts, {}};
+  ActiveGoal active{goal, cancelled, goal.given, "a new goal", options_.replan_attempts, {}};
   while (true)
   {
-    if (const Ended ended = come_to_rest(trip)) return *ended;
-    if (const Ended ended = send_plan(trip)) return *ended;
-    if (const Ended ended = drive(trip)) return *ended;
+    if (const Ended ended = come_to_rest(active)) return *ended;
+    if (const Ended ended = send_plan(active)) return *ended;
+    if (const Ended ended = drive(active)) return *ended;
   }
 }
 
-Execution::Ended Execution::come_to_rest(Trip& trip)
+Execution::Ended Execution::come_to_rest(ActiveGoal& active)
 {
   const auto rests = [this] { return monitor_.at_rest_since(ros::Time::now()).has_value(); };
   if (!options_.wait_for_controller || rests()) return std::nullopt;
-  topics_.publish_progress(trip.goal.asked, PlannerStatus::STOPPING, "stopping", "stopping: " + trip.reason);
+  topics_.publish_progress(active.goal.asked, PlannerStatus::STOPPING, "stopping", "stopping: " + active.reason);
   // A map's stamp may lie ahead, more than a clock that is replayed lags behind.
   const ros::Duration delay(options_.stop_delay);
-  send_stop(std::min(trip.occasion, ros::Time::now() + delay) + delay);
-  for (; !trip.cancelled; nap())
+  send_stop(std::min(active.reason_stamp, ros::Time::now() + delay) + delay);
+  for (; !active.cancelled; poll_pause())
   {
     if (rests()) return std::nullopt;
     const DriveReport report = monitor_.report(ros::Time::now());
-    if (report.phase == DrivePhase::lost) return failed(trip, report.message);
+    if (report.phase == DrivePhase::lost) return failed(active, report.message);
   }
-  return cancelled(trip);
+  return cancelled(active);
 }
 
-Execution::Ended Execution::send_plan(Trip& trip)
+Execution::Ended Execution::send_plan(ActiveGoal& active)
 {
-  topics_.publish_progress(trip.goal.asked, PlannerStatus::PLANNING, "planning", "planning: " + trip.reason);
+  topics_.publish_progress(active.goal.asked, PlannerStatus::PLANNING, "planning", "planning: " + active.reason);
   try
   {
-    const ros::Time rest = monitor_.at_rest_since(ros::Time::now()).value_or(trip.goal.given);
-    const ros::Time from = std::max(trip.goal.given, rest);
-    const PlanRequest request{poses_.robot_at(from, trip.cancelled), trip.goal.pose, options_.modes};
-    return send(trip, planner_.plan(request, trip.cancelled), from + ros::Duration(options_.start_delay));
+    const ros::Time rest = monitor_.at_rest_since(ros::Time::now()).value_or(active.goal.given);
+    const ros::Time from = std::max(active.goal.given, rest);
+    const PlanRequest request{poses_.robot_at(from, active.cancelled), active.goal.pose, options_.modes};
+    return send(active, planner_.plan(request, active.cancelled), from + ros::Duration(options_.start_delay));
   }
   catch (const ConversionError& error)
   {
-    topics_.publish_refusal(trip.goal.asked, error.what());
+    topics_.publish_refusal(active.goal.asked, error.what());
     return GoalOutcome{GoalOutcome::End::failed, error.what()};
   }
 }
 
-Execution::Ended Execution::send(Trip& trip, const PlanAnswer& answer, const ros::Time& begin)
+Execution::Ended Execution::send(ActiveGoal& active, const PlanAnswer& answer, const ros::Time& begin)
 {
   const bool succeeded = answer.result.status == PlanStatus::succeeded;
-  if (succeeded && monitor_.enabled_again_since(trip.goal.given)) return failed(trip, kDisabled);
+  if (succeeded && monitor_.enabled_again_since(active.goal.given)) return failed(active, kDisabled);
   if (succeeded) sent_ = distinct(begin);
   if (succeeded) monitor_.sending_trajectory(sent_, ros::Time::now());
-  topics_.publish(trip.goal.asked, answer, sent_);
+  topics_.publish(active.goal.asked, answer, sent_);
   if (!succeeded || !options_.wait_for_controller) return outcome_of(answer.result);
-  trip.trajectory = answer.result.trajectory;
+  active.trajectory = answer.result.trajectory;
   return std::nullopt;
 }
 
-Execution::Ended Execution::drive(Trip& trip)
+Execution::Ended Execution::drive(ActiveGoal& active)
 {
   MapStore::Snapshot checked;
   bool announced = false;
-  for (; !trip.cancelled; nap())
+  for (; !active.cancelled; poll_pause())
   {
     const DriveReport report = monitor_.report(ros::Time::now());
-    if (report.phase == DrivePhase::arrived) return arrived(trip, report);
-    if (report.phase == DrivePhase::failed) return given_up(trip, report);
-    if (report.phase == DrivePhase::lost) return failed(trip, report.message);
-    if (monitor_.enabled_again_since(trip.goal.given)) return failed(trip, kDisabled);
+    if (report.phase == DrivePhase::arrived) return arrived(active, report);
+    if (report.phase == DrivePhase::failed) return given_up(active, report);
+    if (report.phase == DrivePhase::lost) return failed(active, report.message);
+    if (monitor_.enabled_again_since(active.goal.given)) return failed(active, kDisabled);
     if (report.phase == DrivePhase::driving && !std::exchange(announced, true))
-      topics_.publish_progress(trip.goal.asked, PlannerStatus::DRIVING, "driving", "driving");
-    if (is_blocked(trip, report.t, checked)) return std::nullopt;
+      topics_.publish_progress(active.goal.asked, PlannerStatus::DRIVING, "driving", "driving");
+    if (is_blocked(active, report.t, checked)) return std::nullopt;
   }
-  return cancelled(trip);
+  return cancelled(active);
 }
 
-bool Execution::is_blocked(Trip& trip, double t, MapStore::Snapshot& checked) const
+bool Execution::is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked) const
 {
   const MapStore::Snapshot map = maps_.newest();
   if (map == checked) return false;
   checked = map;
-  const auto violation = map->world.referee.first_violation_from(t, trip.trajectory);
+  const auto violation = map->world.referee.first_violation_from(t, active.trajectory);
   if (!violation) return false;
-  trip.occasion = plausible(map->stamp, ros::Time::now(), options_.transform_tolerance);
-  trip.reason = "the way is blocked: " + violation->what;
+  active.reason_stamp = plausible(map->stamp, ros::Time::now(), options_.transform_tolerance);
+  active.reason = "the way is blocked: " + violation->what;
   return true;
 }
 
-Execution::Ended Execution::given_up(Trip& trip, const DriveReport& report)
+Execution::Ended Execution::given_up(ActiveGoal& active, const DriveReport& report)
 {
-  if (trip.attempts_left-- == 0 || monitor_.disabled_since(trip.goal.given)) return failed(trip, report.message);
-  trip.occasion = report.since;
-  trip.reason = "the controller gave up: " + report.message;
+  if (active.attempts_left-- == 0 || monitor_.disabled_since(active.goal.given)) return failed(active, report.message);
+  active.reason_stamp = report.since;
+  active.reason = "the controller gave up: " + report.message;
   return std::nullopt;
 }
 
-GoalOutcome Execution::arrived(const Trip& trip, const DriveReport& report)
+GoalOutcome Execution::arrived(const ActiveGoal& active, const DriveReport& report)
 {
   std::ostringstream message;
-  message << "arrived in " << (report.since - sent_).toSec() << " s, planned " << trip.trajectory.back().t << " s";
-  topics_.publish_progress(trip.goal.asked, PlannerStatus::ARRIVED, "arrived", message.str());
+  message << "arrived in " << (report.since - sent_).toSec() << " s, planned " << active.trajectory.back().t << " s";
+  topics_.publish_progress(active.goal.asked, PlannerStatus::ARRIVED, "arrived", message.str());
   return {GoalOutcome::End::reached, message.str()};
 }
 
-GoalOutcome Execution::failed(const Trip& trip, const std::string& message)
+GoalOutcome Execution::failed(const ActiveGoal& active, const std::string& message)
 {
   // Also where it is said to be at rest: whoever does not know what the controller does had better not trust that.
   send_stop(ros::Time::now());
-  topics_.publish_progress(trip.goal.asked, PlannerStatus::FAILED, "drive_failed", message);
+  topics_.publish_progress(active.goal.asked, PlannerStatus::FAILED, "drive_failed", message);
   return {GoalOutcome::End::failed, message};
 }
 
-GoalOutcome Execution::cancelled(const Trip& trip)
+GoalOutcome Execution::cancelled(const ActiveGoal& active)
 {
   const std::string message = "cancelled on the way";
-  topics_.publish_progress(trip.goal.asked, PlannerStatus::FAILED, to_string(PlanStatus::cancelled), message);
+  topics_.publish_progress(active.goal.asked, PlannerStatus::FAILED, to_string(PlanStatus::cancelled), message);
   return {GoalOutcome::End::cancelled, message};
 }
 

@@ -55,31 +55,31 @@ public:
   void halt();
 
 private:
-  /// One goal on its way.
-  struct Trip
+  /// The goal that is pursued.
+  struct ActiveGoal
   {
     const Goal& goal;
     const std::atomic<bool>& cancelled;
-    ros::Time occasion;  ///< when there was a reason to plan,
-    std::string reason;  ///< and which
-    int attempts_left;   ///< after the controller has given up
+    ros::Time reason_stamp;  ///< when the last reason to plan arose
+    std::string reason;      ///< that reason, in words
+    int attempts_left;       ///< to plan anew after the controller has given up
     Trajectory trajectory;
   };
-  /// Empty: the trip goes on.
+  /// Empty: the goal is pursued further.
   using Ended = std::optional<GoalOutcome>;
 
   // What is done for a goal, in this order; again from the first when the last has not come to an end.
-  Ended come_to_rest(Trip& trip);
-  Ended send_plan(Trip& trip);
-  Ended drive(Trip& trip);
+  Ended come_to_rest(ActiveGoal& active);
+  Ended send_plan(ActiveGoal& active);
+  Ended drive(ActiveGoal& active);
 
-  Ended send(Trip& trip, const PlanAnswer& answer, const ros::Time& begin);
-  Ended given_up(Trip& trip, const DriveReport& report);
-  /// Looks at each map once: what lies on the way from t [s] on is the trip's reason to plan anew.
-  bool is_blocked(Trip& trip, double t, MapStore::Snapshot& checked) const;
-  GoalOutcome arrived(const Trip& trip, const DriveReport& report);
-  GoalOutcome failed(const Trip& trip, const std::string& message);
-  GoalOutcome cancelled(const Trip& trip);
+  Ended send(ActiveGoal& active, const PlanAnswer& answer, const ros::Time& begin);
+  Ended given_up(ActiveGoal& active, const DriveReport& report);
+  /// Looks at each map once: an obstacle on the way from t [s] on is the reason to plan anew.
+  bool is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked) const;
+  GoalOutcome arrived(const ActiveGoal& active, const DriveReport& report);
+  GoalOutcome failed(const ActiveGoal& active, const std::string& message);
+  GoalOutcome cancelled(const ActiveGoal& active);
   void send_stop(const ros::Time& begin);
   ros::Time distinct(const ros::Time& stamp) const;
 

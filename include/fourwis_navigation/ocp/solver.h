@@ -137,7 +137,7 @@ private:
   double mu_ = 0.0;
   double regularization_ = 0.0;         ///< the last one that was needed
   double forced_regularization_ = 0.0;  ///< where the step without any made no progress
-  int fruitless_ = 0;                   ///< iterations in a row without progress
+  int stalled_ = 0;                     ///< iterations in a row without progress
 
   Solution solution_;
 };

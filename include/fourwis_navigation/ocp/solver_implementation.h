@@ -48,7 +48,7 @@ void Solver<Model>::start(const Trajectory& guess, const Multipliers* multiplier
 {
   mu_ = options_.initial_barrier;
   regularization_ = forced_regularization_ = 0.0;
-  fruitless_ = 0;
+  stalled_ = 0;
   const double push = std::min(0.01, mu_);
   start_primal(constraints_, guess, push, current_);
   std::fill(current_.rows.begin(), current_.rows.end(), RowVariables{});

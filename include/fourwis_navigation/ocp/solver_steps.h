@@ -16,7 +16,7 @@ std::optional<Status> Solver<Model>::advance()
   newton_.solve(values_.residuals, step_);
   if (!search_line()) return reduce_violation();
   forced_regularization_ = 0.0;
-  fruitless_ = 0;
+  stalled_ = 0;
   return {};
 }
 
@@ -116,7 +116,7 @@ template <class Model>
 std::optional<Status> Solver<Model>::reduce_violation()
 {
   constexpr double negligible = 1e-7;
-  constexpr int most_feasibility_steps = 60, most_fruitless = 3;
+  constexpr int most_feasibility_steps = 60, most_stalled = 3;
   if (solution_.statistics.feasibility_steps == most_feasibility_steps) return failure(Status::stalled);
   if (search_feasibility())
   {
@@ -124,7 +124,7 @@ std::optional<Status> Solver<Model>::reduce_violation()
     return {};
   }
   if (merit_.violation > negligible) return failure(Status::infeasible);
-  if (++fruitless_ > most_fruitless) return failure(Status::stalled);
+  if (++stalled_ > most_stalled) return failure(Status::stalled);
   forced_regularization_ = std::max(1e-4, 10.0 * std::max(regularization_, forced_regularization_));
   filter_.clear();
   return {};

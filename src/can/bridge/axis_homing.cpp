@@ -5,8 +5,8 @@ namespace fourwis::can
 namespace
 {
 
-/// What the statusword says of homing may be from an earlier one until the drive has seen the start [s].
-constexpr double kOldNews = 0.05;
+/// For this long after the start of a homing, the statusword may still tell of an earlier one [s].
+constexpr double kStatusDelay = 0.05;
 constexpr std::uint16_t kAttained = status_bit::homing_attained | status_bit::target_reached;
 
 bool is_homing(const DriveStatus& status)
@@ -29,7 +29,7 @@ void AxisHoming::supervise(const DriveStatus& status, double now)
   if (!running_) return;
   const double elapsed = now - begun_;
   // In another mode, and before the drive has begun, the bits of its statusword mean something else.
-  const std::uint16_t bits = is_homing(status) && elapsed > kOldNews ? status.statusword : 0;
+  const std::uint16_t bits = is_homing(status) && elapsed > kStatusDelay ? status.statusword : 0;
   const bool error = bits & status_bit::homing_error;
   if (error || elapsed > timeout_) report_(Fault::homing_failed, status.statusword, now);
   done_ = (bits & kAttained) == kAttained && !error;

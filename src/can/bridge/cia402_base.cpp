@@ -18,7 +18,7 @@ Cia402Base::Cia402Base(const Robot& robot, const BridgeOptions& options, FaultLo
     heartbeat_period_(options.heartbeat_period),
     listen_time_(std::max(kShortestListening, options.drive_watchdog)),
     report_(log, kNoAxis),
-    beaten_(-std::numeric_limits<double>::infinity())
+    heartbeat_sent_(-std::numeric_limits<double>::infinity())
 {
   axis_of_node_.fill(kNoAxis);
   axes_.reserve(kAxes);
@@ -85,9 +85,9 @@ void Cia402Base::end_cycle(double now, Outbox& outbox)
 {
   if (listening_) return;
   // A millisecond of slack: cycles do not begin on the dot.
-  if (now - beaten_ > heartbeat_period_ - 1e-3)
+  if (now - heartbeat_sent_ > heartbeat_period_ - 1e-3)
   {
-    beaten_ = now;
+    heartbeat_sent_ = now;
     outbox.put(encode_heartbeat(master_, NmtState::operational));
   }
   outbox.put(encode_sync());

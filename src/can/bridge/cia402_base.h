@@ -47,7 +47,7 @@ private:
   bool ran_before_ = false;  ///< the drives have once been set up by us
   bool reset_faults_ = false;
   double listen_until_ = 0.0;
-  double beaten_;  ///< when our last heartbeat was sent
+  double heartbeat_sent_;  ///< when our last heartbeat was sent
   WheelMotion measured_;
 };
 

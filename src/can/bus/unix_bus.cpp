@@ -115,7 +115,7 @@ void UnixBus::open()
   listen();
   if (is_down()) return;
   error_.clear();
-  meet();
+  connect_to_ends();
 }
 
 void UnixBus::go_down(const std::string& why)
@@ -161,13 +161,13 @@ bool UnixBus::accept()
 
 void UnixBus::notice()
 {
-  if (directory_->changed() || unmet_) meet();
+  if (directory_->changed() || unconnected_) connect_to_ends();
 }
 
 /// Connects to the ends that came, forgets those that went.
-void UnixBus::meet()
+void UnixBus::connect_to_ends()
 {
-  unmet_ = false;
+  unconnected_ = false;
   const auto ends = directory_->ends();
   if (!ends || ends->count(own_file_) == 0) return go_down(directory_->path() + " was taken away");
   const auto went = [&](const Connection& to) { return ends->count(to.file) == 0; };
@@ -187,7 +187,7 @@ void UnixBus::connect(const std::string& file)
   else if (errno == ECONNREFUSED)
     unlink(directory_->file(file).c_str());
   else
-    unmet_ |= errno != ENOENT;
+    unconnected_ |= errno != ENOENT;
 }
 
 /// False where there is nobody any more.

@@ -47,7 +47,7 @@ private:
   void listen();
   bool accept();
   void notice();
-  void meet();
+  void connect_to_ends();
   void connect(const std::string& file);
   bool hand_over(const Frame& frame, Connection& to);
   bool take(int descriptor, Frame& frame);
@@ -60,7 +60,7 @@ private:
   FileDescriptor events_;  ///< epoll over the directory, the listener and `from_`
   FileDescriptor listener_;
   std::vector<Connection> to_, from_;
-  bool unmet_ = false;  ///< an end could not be connected to, but may be later
+  bool unconnected_ = false;  ///< there is an end to which the connection failed; it is tried again
 };
 
 }  // namespace fourwis::can
