@@ -7,7 +7,7 @@ namespace fourwis::can
 namespace
 {
 
-/// So long a drive may take to leave its fault [s].
+/// Time that a drive may take to leave its fault [s].
 constexpr double kResetTime = 1.0;
 
 bool is_steering(int index)
@@ -73,7 +73,7 @@ void Axis::receive(Service service, const Frame& frame, double now, Outbox& outb
   if (emergency) return receive_emergency(*emergency, now);
   const bool ours = service == Service::heartbeat || service == Service::emergency || service == Service::tpdo1 ||
                     service == Service::tpdo2;
-  // Before a drive is set up, its cyclic messages may be anything.
+  // Before a drive is set up, its cyclic messages may have any content.
   if (ours && startup_.is_set_up()) report_fault_(Fault::malformed_frame, frame.id, now);
 }
 
@@ -233,8 +233,8 @@ std::int32_t Axis::counts_of(double target) const
   return steering_ ? scale_.to_counts(target) : scale_.to_rate_counts(target);
 }
 
-/// What a drive may find as its target whenever it begins to follow: where it is, at rest. A residual target moves
-/// the motor.
+/// The target of a drive that does not follow yet: its present position, or speed 0. An old target would move the motor
+/// as soon as the drive begins to follow.
 std::int32_t Axis::resting_counts() const
 {
   return steering_ ? motion_.position : 0;

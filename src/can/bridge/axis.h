@@ -25,7 +25,7 @@ public:
 
   /// Brings the power stage nearer to `goal`; in operation the drive follows `target` [rad or m/s].
   void command(PowerGoal goal, double target, double now, Outbox& outbox);
-  /// Whatever it does: speed zero, quick stop, with the next SYNC. For a driving axis whose state is not known.
+  /// Quick stop and speed 0 with the next SYNC, in any state. For a driving axis whose state is not known.
   void stop(Outbox& outbox) const;
 
   int node() const { return node_; }
@@ -34,7 +34,7 @@ public:
   bool out_of_operation() const;
   double position() const { return steering_ ? scale_.to_position(motion_.position) : rolled_; }  ///< [rad or m]
   double speed() const { return scale_.to_rate(motion_.velocity); }                               ///< [rad/s or m/s]
-  double measured_at() const { return measured_at_; }  ///< the SYNC of both; 0: never [s]
+  double measured_at() const { return measured_at_; }  ///< the SYNC with which both were measured; 0: never [s]
   AxisReport report() const;
 
 private:
@@ -59,7 +59,7 @@ private:
   AxisWatch watch_;
   AxisHoming homing_;
   AxisTelemetry telemetry_;
-  Steady late_;  ///< the drive has started and can still not be switched on
+  Steady late_;  ///< the drive has been started but cannot be switched on
   NmtState nmt_ = NmtState::boot_up;
   DriveStatus status_;
   DriveMotion motion_;
@@ -73,7 +73,7 @@ private:
   bool reset_edge_ = false;
   PowerGoal goal_ = PowerGoal::off;
   double target_ = 0.0;
-  bool was_in_operation_ = false;  ///< since the goal is `on`
+  bool was_in_operation_ = false;  ///< since the goal became `on`
 };
 
 }  // namespace fourwis::can

@@ -28,7 +28,7 @@ void AxisHoming::supervise(const DriveStatus& status, double now)
 {
   if (!running_) return;
   const double elapsed = now - begun_;
-  // In another mode, and before the drive has begun, the bits of its statusword mean something else.
+  // In another mode, or before the drive has started to home, these bits of the statusword have another meaning.
   const std::uint16_t bits = is_homing(status) && elapsed > kStatusDelay ? status.statusword : 0;
   const bool error = bits & status_bit::homing_error;
   if (error || elapsed > timeout_) report_(Fault::homing_failed, status.statusword, now);

@@ -9,7 +9,7 @@
 namespace fourwis::can
 {
 
-/// The search of one steering drive for its zero, once after each start, by the drive's own homing (mode 6).
+/// Homing of one steering drive: once after each start it searches its zero, in its own homing mode (6).
 class AxisHoming
 {
 public:
@@ -17,7 +17,7 @@ public:
 
   void begin() { done_ = !needed_, running_ = false; }
 
-  /// The drive is not to be in operation any more: what is not done begins again another time.
+  /// The drive leaves operation. A homing that is not done starts again the next time.
   void interrupt() { running_ = false; }
 
   bool done() const { return done_; }
@@ -26,7 +26,7 @@ public:
   /// For a drive in operation in homing mode: the bits of its controlword.
   std::uint16_t bits(const DriveStatus& status, double now);
 
-  /// Once a cycle, whatever became of the drive: is it done, has it failed, does it take too long?
+  /// Once a cycle, in any state of the drive: checks whether homing is done, has failed or takes too long.
   void supervise(const DriveStatus& status, double now);
 
 private:

@@ -7,10 +7,10 @@
 namespace fourwis::can
 {
 
-/// The nearest integer of 32 bits; beyond their range the end of it, 0 for NaN.
+/// The nearest integer of 32 bits. Numbers beyond the range give the end of the range, NaN gives 0.
 std::int32_t saturated_counts(double counts);
 
-/// How far a position has moved that begins again at the other end of its 32 bits.
+/// The difference of two positions whose 32 bits may have wrapped around in between.
 std::int32_t counts_between(std::int32_t before, std::int32_t now);
 
 /// Between a drive's counts and the wheel's units. Positions and speeds of a drive are counts and counts/s.
@@ -26,7 +26,7 @@ public:
   std::int32_t to_counts(double position) const { return saturated_counts((position - offset_) * counts_per_unit_); }
   double to_position(std::int32_t counts) const { return counts / counts_per_unit_ + offset_; }
 
-  /// Speed [rad/s or m/s] <-> counts/s; also differences of position and accelerations, which know no offset.
+  /// Speed [rad/s or m/s] <-> counts/s; also for differences of position and for accelerations, which have no offset.
   std::int32_t to_rate_counts(double rate) const { return saturated_counts(rate * counts_per_unit_); }
   double to_rate(std::int32_t counts) const { return counts / counts_per_unit_; }
 

@@ -5,11 +5,11 @@ namespace fourwis::can
 namespace
 {
 
-/// A node that has not booted is reset again this often; one that does not start is told so again this often [s].
+/// Period of the resets of a node that has not booted, and of the start commands to one that has not started [s].
 constexpr double kResetPeriod = 1.0, kStartPeriod = 0.1;
-/// Until a node that was started sends its cyclic messages [s].
+/// Time that a node may take from its start to its cyclic messages [s].
 constexpr double kStartTimeout = 1.0;
-/// A node does not boot twice in so short a time: there are two [s].
+/// Two boot-up messages within this time come from two nodes with the same id [s].
 constexpr double kShortestReboot = 0.01;
 
 }  // namespace

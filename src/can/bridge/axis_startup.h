@@ -7,8 +7,8 @@
 namespace fourwis::can
 {
 
-/// Brings one drive from wherever it is to the exchange of cyclic messages: resets its communication, waits until it
-/// boots, asks who it is, sets it up, starts it.
+/// Brings one drive from any state to the exchange of cyclic messages: resets its communication, waits until it boots,
+/// reads its identity, writes its settings, starts it.
 class AxisStartup
 {
 public:
@@ -19,10 +19,10 @@ public:
 
   void receive_heartbeat(NmtState state, double now, Outbox& outbox);
   void receive_sdo(const Frame& frame, double now, Outbox& outbox);
-  /// Both cyclic messages have come since the start.
+  /// To be called when both cyclic messages have come since the start.
   void receive_cyclic();
 
-  /// Once a cycle: repeats what was not answered, gives up what takes too long.
+  /// Once a cycle: repeats requests without an answer, and gives up after the timeouts.
   void supervise(double now, Outbox& outbox);
 
   StartStep step() const { return step_; }
@@ -43,8 +43,8 @@ private:
   FaultReporter report_;
   StartStep step_ = StartStep::listening;
   bool failed_ = false;
-  double entered_ = 0.0;  ///< the step
-  double sent_ = 0.0;     ///< the last command to the node
+  double entered_ = 0.0;  ///< when the present step began [s]
+  double sent_ = 0.0;     ///< when the last command to the node was sent [s]
 };
 
 }  // namespace fourwis::can

@@ -5,12 +5,12 @@ namespace fourwis::can
 namespace
 {
 
-/// Between two questions to a drive, and how much later the drive with the next node id is asked [s].
+/// Time between two requests to a drive, and between the requests to drives with successive node ids [s].
 constexpr double kPeriod = 0.5, kStagger = 0.05;
 constexpr ObjectId kSupplyVoltage{0x6079, 0};
 constexpr double kMillivolt = 1e-3;
 
-/// An object's value as a number with sign.
+/// The value of an object as a signed number.
 double signed_value(const SdoReply& reply)
 {
   if (reply.size == 1) return static_cast<std::int8_t>(reply.value);

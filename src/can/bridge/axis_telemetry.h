@@ -11,8 +11,8 @@
 namespace fourwis::can
 {
 
-/// Asks a drive in operation once a second for what nobody steers by: the voltage of its supply (6079) and, where the
-/// options name an object for it, its temperature. What a drive does not have is asked for once.
+/// Reads from a drive in operation, once a second, what control does not need: its supply voltage (6079) and, if the
+/// options name an object for it, its temperature. An object that the drive does not have is requested only once.
 class AxisTelemetry
 {
 public:

@@ -10,9 +10,9 @@ namespace fourwis::can
 namespace
 {
 
-/// A SYNC has two answers.
+/// A drive answers each SYNC with two frames.
 constexpr int kAnswers = 2;
-/// A real axis may be faster than it should be by this factor; a measurement may come later by so many cycles.
+/// The factor by which a real axis may exceed its limit of speed, and the cycles by which a measurement may be late.
 constexpr double kSpeedSlack = 2.0, kLateCycles = 2.0;
 
 }  // namespace
@@ -87,8 +87,8 @@ void AxisWatch::supervise_following(double difference, double now)
 void AxisWatch::count_answer(int& unanswered, double now)
 {
   unanswered = 0;
-  // Answers may come late and then several at once, but not more than there were questions. A node that has rebooted
-  // does not answer before it is started: there are two.
+  // Late answers may come several at once, but never more than there were SYNCs. A node that has rebooted does not
+  // answer before it is started: if it does, there are two nodes.
   if (++unasked_ > most_unasked_ || rebooted_) report_(Fault::duplicate_node, 0, now);
 }
 

@@ -11,12 +11,12 @@
 namespace fourwis::can
 {
 
-/// Looks after one drive that has been started: does it live, does it answer each SYNC, once and not twice, are its
-/// measurements possible, does it do what it is told?
+/// Supervises one drive that has been started: its heartbeat, one answer to each SYNC, measurements that are possible,
+/// and that it follows its target.
 class AxisWatch
 {
 public:
-  /// `max_speed` of the axis [counts/s]; `error` beyond which it does not follow [rad or m/s], of `not_followed`.
+  /// `max_speed` of the axis [counts/s]. An error beyond `error` [rad or m/s] is the fault `not_followed`.
   AxisWatch(const BridgeOptions& options, double max_speed, double error, Fault not_followed, FaultReporter report);
 
   void begin(double now);
@@ -26,12 +26,12 @@ public:
   void receive_motion(std::int32_t position, double now);
   void sync_sent();
 
-  /// What is measured may jump: the drive looks for its zero.
+  /// The position may jump, because the drive searches its zero.
   void expect_jump() { position_.reset(); }
 
   /// Once a cycle.
   void supervise(double now);
-  /// Once a cycle for a drive in operation; the difference of what it is told and what it does.
+  /// Once a cycle for a drive in operation, with the difference of its target and its measurement.
   void supervise_following(double difference, double now);
   void not_following() { off_.reset(); }
 
@@ -40,17 +40,17 @@ private:
 
   double max_speed_, error_;
   double heartbeat_timeout_, cycle_time_;
-  int lost_after_;    ///< so many SYNCs without an answer
-  int most_unasked_;  ///< answers in excess of SYNCs that may come
+  int lost_after_;    ///< the drive is lost after this many SYNCs without an answer
+  int most_unasked_;  ///< allowed number of answers in excess of SYNCs
   Fault not_followed_;
   FaultReporter report_;
   Steady off_;
-  double heard_ = 0.0;  ///< its last heartbeat
+  double heard_ = 0.0;  ///< time of its last heartbeat [s]
   int unanswered_status_ = 0, unanswered_motion_ = 0;
   int unasked_ = 0;  ///< answers in excess of SYNCs
   bool rebooted_ = false;
   std::optional<std::int32_t> position_;  ///< [counts]
-  double moved_ = 0.0;                    ///< when `position_` was received
+  double moved_ = 0.0;                    ///< when `position_` was received [s]
 };
 
 }  // namespace fourwis::can

@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  /// What comes from drives that have not been started anew since the bus was lost means nothing.
+  /// Frames of drives that have not been started anew since the bus was lost have no meaning.
   bool is_talking() const { return link_.usable() && state_ != BridgeState::waiting; }
 
   bool may_move() const
@@ -151,7 +151,7 @@ private:
     enter(BridgeState::waiting, now);
   }
 
-  /// Whether it is to be followed.
+  /// Whether the command is to be followed.
   bool take(const WheelCommand& command, double made, double now)
   {
     const CommandWatch::Verdict verdict = motion_.take(command, made, now);
@@ -170,7 +170,7 @@ private:
     if (motion_.alignment_overdue()) log_.report(Fault::alignment_timeout, kNoAxis, 0, now);
   }
 
-  /// What was reported since the last time has its consequences; what has to be sent because of it is sent at once.
+  /// Carries out the reaction to the faults that were reported since the last call, and sends its frames at once.
   void react(double now)
   {
     const Reaction reaction = log_.take_reaction();
@@ -291,11 +291,12 @@ private:
   StopProcedure stop_;
   LoadMeter load_;
   BridgeState state_ = BridgeState::waiting;
-  double entered_ = 0.0;  ///< the state
+  double entered_ = 0.0;  ///< when the present state began [s]
   bool pressed_ = false;
-  /// At the next start. Drives as delivered go into fault when their communication is reset, so also at the first.
+  /// Whether the next start resets faults. The first does: drives in delivery state go into fault when their
+  /// communication is reset.
   bool reset_faults_ = true;
-  bool sent_between_cycles_ = false;  ///< since the last cycle, because of a command
+  bool sent_between_cycles_ = false;  ///< a command was sent since the last cycle
   std::uint64_t overtaken_ = 0;
   double counted_bits_ = 0.0;
   WheelState wheels_;

@@ -5,9 +5,9 @@ namespace fourwis::can
 namespace
 {
 
-/// Between two attempts to open a bus that is down [s].
+/// Time between two attempts to open a bus that is down [s].
 constexpr double kRecoverPeriod = 0.1;
-/// So many frames are received before somebody else has a turn: a flood must not keep the cycle from its time.
+/// Greatest number of frames that are received in one call: a flood of frames must not delay the cycle.
 constexpr int kMostAtOnce = 256;
 
 }  // namespace

@@ -6,24 +6,24 @@
 namespace fourwis::can
 {
 
-/// A bridge at one end of a bus: what the bus has goes to the bridge, what the bridge has goes to the bus, and a bus
-/// that is down is opened again when it comes back. Time is monotonic [s]. No allocation but where a bus is opened.
+/// Connects a bridge to one end of a bus. It passes frames in both directions, and opens a bus that is down again when
+/// it comes back. Time is monotonic [s]. Nothing allocates, except when a bus is opened.
 class BridgeConnection
 {
 public:
   /// Both must outlive this.
   BridgeConnection(Bridge& bridge, Bus& bus) : bridge_(bridge), bus_(bus) {}
 
-  /// Whenever there may be something to receive or room to send.
+  /// To be called when there may be frames to receive or room to send.
   void exchange(double now);
 
-  /// At the cycle's rate.
+  /// To be called once a cycle.
   void cycle(double now);
 
-  /// After anything else that was asked of the bridge.
+  /// To be called after every other call of the bridge: sends what is in its outbox.
   void flush(double now);
 
-  /// Frames wait for room on the bus.
+  /// Whether frames wait for room on the bus.
   bool is_blocked() const { return !bridge_.outbox().empty(); }
 
 private:

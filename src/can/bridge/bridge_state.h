@@ -6,7 +6,7 @@
 namespace fourwis::can
 {
 
-/// The states of a bridge; within `starting` and `enabling` the protocol has steps of its own.
+/// The states of a bridge. Within `starting` and `enabling` the protocol has steps of its own.
 enum class BridgeState
 {
   waiting,   ///< for the bus
@@ -18,10 +18,10 @@ enum class BridgeState
   fault
 };
 
-/// What the rest of the world is told of it.
+/// The state for the wheel states that are published.
 BaseState base_state(BridgeState state);
 
-/// What people are told of it.
+/// The stage for diagnostics.
 BridgeStage bridge_stage(BridgeState state, StartStep step);
 
 }  // namespace fourwis::can

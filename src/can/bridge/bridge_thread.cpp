@@ -17,10 +17,10 @@ namespace fourwis::can
 namespace
 {
 
-/// A bus without room for what waits is tried again after this [s].
+/// When the bus has no room for waiting frames, sending is tried again after this time [s].
 constexpr double kRetryPeriod = 1e-3;
 
-/// Waits until one of two descriptors becomes readable, at most so long [s]; a descriptor of -1 never does.
+/// Waits until one of two descriptors becomes readable, or until the timeout [s]. A descriptor of -1 never does.
 void wait_for(int bus, int wake, double timeout)
 {
   pollfd items[] = {{bus, POLLIN, 0}, {wake, POLLIN, 0}};
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  /// What others have asked for since the last time.
+  /// Carries out what other threads have requested since the last call.
   void obey()
   {
     wake_.clear();
@@ -129,7 +129,7 @@ private:
     }
   }
 
-  /// When the next one is due.
+  /// When the next cycle is due.
   double cycle(double due)
   {
     const double now = monotonic_now();

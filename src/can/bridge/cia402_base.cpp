@@ -8,7 +8,7 @@ namespace fourwis::can
 namespace
 {
 
-/// Before we say anything we listen at least this long: two cycles of a slow master [s].
+/// Least time of listening before anything is sent: two cycles of a slow master [s].
 constexpr double kShortestListening = 0.1;
 
 }  // namespace
@@ -38,7 +38,7 @@ void Cia402Base::restart(bool reset_faults, double now, Outbox& outbox)
   listen_until_ = now + listen_time_;
 }
 
-/// Takes effect with a SYNC only.
+/// It takes effect with the SYNC.
 void Cia402Base::stop(Outbox& outbox) const
 {
   for (std::size_t i = kWheels; i < kAxes; ++i) axes_[i].stop(outbox);
@@ -84,7 +84,7 @@ void Cia402Base::command(const DriveDemand& demand, double now, Outbox& outbox)
 void Cia402Base::end_cycle(double now, Outbox& outbox)
 {
   if (listening_) return;
-  // A millisecond of slack: cycles do not begin on the dot.
+  // A millisecond of slack, because cycles do not begin exactly on time.
   if (now - heartbeat_sent_ > heartbeat_period_ - 1e-3)
   {
     heartbeat_sent_ = now;
@@ -125,7 +125,8 @@ int Cia402Base::first_axis(bool (*is_it)(const Axis&)) const
   return found == axes_.end() ? kNoAxis : static_cast<int>(found - axes_.begin());
 }
 
-/// Whether only the master of these drives may send that: we do, and what we send does not come back.
+/// Whether only the master of these drives sends such a message. A received one comes from another master, because our
+/// own frames do not come back to us.
 bool Cia402Base::is_masters(const Address& address) const
 {
   switch (address.service)

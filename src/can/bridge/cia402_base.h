@@ -8,7 +8,7 @@
 namespace fourwis::can
 {
 
-/// Eight CiA 402 drives, four that steer and four that drive; we are SYNC producer and master.
+/// A base with eight CiA 402 drives, four that steer and four that drive. The bridge is their SYNC producer and master.
 class Cia402Base final : public BaseProtocol
 {
 public:
@@ -43,11 +43,11 @@ private:
   std::vector<Axis> axes_;
   std::array<int, kNodes> axis_of_node_;
   bool listening_ = true;
-  bool foreign_ = false;     ///< somebody else commands these drives: while we listen we stay silent
-  bool ran_before_ = false;  ///< the drives have once been set up by us
+  bool foreign_ = false;     ///< another master commands these drives; seen while listening, nothing is sent
+  bool ran_before_ = false;  ///< the drives have been set up by this bridge before
   bool reset_faults_ = false;
   double listen_until_ = 0.0;
-  double heartbeat_sent_;  ///< when our last heartbeat was sent
+  double heartbeat_sent_;  ///< when the last heartbeat was sent [s]
   WheelMotion measured_;
 };
 

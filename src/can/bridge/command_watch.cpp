@@ -7,9 +7,9 @@ namespace fourwis::can
 namespace
 {
 
-/// Rounding that a command may be beyond a wheel's travel [rad].
+/// Rounding by which an angle may exceed the travel of a wheel [rad].
 constexpr double kAngleSlack = 1e-3;
-/// A sequence that is behind by more is not late, its sender has started anew.
+/// A command whose sequence is behind by at least this much comes from a sender that has started anew.
 constexpr std::int32_t kMostOvertaken = 100;
 
 }  // namespace

@@ -13,7 +13,7 @@ public:
   enum class Verdict
   {
     taken,
-    overtaken,  ///< older than the one before by its sequence: not taken
+    overtaken,  ///< not taken: its sequence is not newer than that of the last one
     late,       ///< not taken: older than the timeout
     invalid     ///< not taken: something in it is no number, no mode, or beyond a wheel's travel
   };
@@ -23,16 +23,16 @@ public:
       timeout_(options.command_timeout)
   {}
 
-  /// `made`: when somebody gave it [s].
+  /// `made`: when the command was given [s].
   Verdict take(const WheelCommand& command, double made, double now);
 
-  /// The last one that was taken, or a stop.
+  /// The last command that was taken, or a stop.
   const WheelCommand& newest() const { return newest_; }
 
-  /// There was one, and it is too old to be followed.
+  /// Whether there was a command and it is too old to be followed.
   bool expired(double now) const { return any_ && now - made_ > timeout_; }
 
-  /// As if there had never been one; what it was is still known.
+  /// From now on no command counts as given. The mode of newest() becomes none and its speeds 0, its angles stay.
   void forget();
 
 private:
@@ -40,7 +40,7 @@ private:
 
   double max_angle_, timeout_;
   bool any_ = false;
-  double made_ = 0.0;  ///< the newest
+  double made_ = 0.0;  ///< when the newest command was given [s]
   WheelCommand newest_;
 };
 

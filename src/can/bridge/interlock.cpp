@@ -8,7 +8,7 @@ namespace fourwis::can
 namespace
 {
 
-/// A command that turns a wheel further than this at once is not the continuation of the motion [rad].
+/// A command that turns a wheel by more than this at once does not continue the motion [rad].
 constexpr double kLargestJump = 20.0 * M_PI / 180.0;
 
 }  // namespace
@@ -57,7 +57,7 @@ void Interlock::observe(const WheelCommand& command, const WheelMotion& measured
     late_.reset();
   }
   commanded_ = wanted;
-  // A base that steers by itself may be there before it is told to be.
+  // The set-point counts as well: a base that steers by itself may have reached the angle before it was commanded.
   const double gap = std::max(greatest_gap(measured.angle, wanted), greatest_gap(setpoint.angle, wanted));
   aligned_now_ = aligned_.update(gap <= tolerance_, now);
   const double fastest = std::max(greatest_magnitude(measured.speed), greatest_magnitude(setpoint.speed));
@@ -74,7 +74,7 @@ Interlock::Phase Interlock::next_phase(const WheelCommand& command, const WheelM
   switch (phase_)
   {
     case Phase::holding: return stands_ ? Phase::turning : Phase::holding;
-    // Wheels that turn may roll a little: that is no reason to stop turning.
+    // Wheels may roll a little while they turn. Turning goes on.
     case Phase::turning: return aligned_now_ ? Phase::driving : Phase::turning;
     case Phase::driving: break;
   }

@@ -7,27 +7,27 @@
 namespace fourwis::can
 {
 
-/// Keeps wheels from turning while they roll and from rolling before they have turned. To another mode, or to angles
-/// far from those of the moment: brakes with the angles held, waits for standstill, turns the wheels, waits until
-/// they are aligned, drives.
+/// Prevents that wheels turn to another mode while they roll, and that they roll before they have turned. For another
+/// mode, or for angles far from the present ones, it brakes with the angles held, waits for standstill, turns the
+/// wheels, waits until they are aligned, and then drives.
 class Interlock
 {
 public:
   explicit Interlock(const BridgeOptions& options);
 
-  /// At rest, no mode yet.
+  /// The base is at rest and has no mode.
   void reset(double now);
 
-  /// What the wheels may be told now instead of `command`. `setpoint` is what they are told so far.
+  /// The motion that may be commanded now instead of `command`. `setpoint` is the motion that is commanded so far.
   WheelMotion permit(const WheelCommand& command, const WheelMotion& measured, const WheelMotion& setpoint, double now);
 
-  /// Comes to rest, or rests, with the wheels as they are.
+  /// Whether the base comes to rest, or rests, with the wheels' angles held.
   bool holding() const { return phase_ == Phase::holding; }
-  /// Every wheel has stayed near the command's angle long enough to drive.
+  /// Whether every wheel has been near the commanded angle for long enough to drive.
   bool aligned() const { return aligned_now_; }
-  /// The wheels should have come to rest, or should have been aligned, long ago.
+  /// Whether the wheels have not come to rest, or have not aligned, in time.
   bool overdue() const { return overdue_; }
-  /// The mode that the wheels stand for.
+  /// The mode to which the wheels are turned.
   Mode mode() const { return mode_; }
 
 private:
@@ -43,7 +43,7 @@ private:
 
   const double tolerance_, standstill_speed_;
   Steady standstill_, aligned_;
-  Steady rolls_on_, late_;  ///< does not come to rest; is not aligned
+  Steady rolls_on_, late_;  ///< not at rest in time; not aligned in time
   bool stands_ = false, aligned_now_ = false, overdue_ = false;
   Phase phase_ = Phase::holding;
   Mode mode_ = Mode::none;

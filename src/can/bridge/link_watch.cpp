@@ -14,7 +14,7 @@ void LinkWatch::receive(const Frame& frame, double now)
 {
   if (const auto notice = decode_notice(frame)) return take(*notice, now);
   heard_ = true;
-  notice_.bus_off = false;  // who receives frames is on the bus
+  notice_.bus_off = false;  // a controller that receives frames is on the bus
 }
 
 void LinkWatch::supervise(const Outbox& outbox, double now)

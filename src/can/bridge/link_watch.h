@@ -9,8 +9,8 @@
 namespace fourwis::can
 {
 
-/// Whether frames can leave: the interface is up, the controller is on the bus, the queue moves (within
-/// `feedback_timeout`).
+/// Supervises whether frames can be sent: the interface is up, the controller is on the bus, and the queue of frames
+/// shrinks within `feedback_timeout`.
 class LinkWatch
 {
 public:
@@ -19,8 +19,8 @@ public:
 
   void set_up(bool up, double now);
   void receive(const Frame& frame, double now);
-  /// Once a cycle, before anything new is put into the outbox. Where nobody is there to acknowledge, before the drives
-  /// are switched on, no queue moves: that is no fault of the link.
+  /// Once a cycle, before new frames are put into the outbox. Before the drives are switched on, no node acknowledges
+  /// frames and the queue does not shrink: that is no fault of the link.
   void supervise(const Outbox& outbox, double now);
 
   bool usable() const { return up_ && !notice_.bus_off; }
@@ -33,7 +33,7 @@ private:
   Steady blocked_;
   std::uint64_t sent_ = 0;
   bool up_ = false;
-  bool heard_ = false;  ///< somebody has sent something since the interface is up
+  bool heard_ = false;  ///< a frame has been received since the interface is up
   ControllerNotice notice_;
 };
 

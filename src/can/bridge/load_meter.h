@@ -3,7 +3,7 @@
 namespace fourwis::can
 {
 
-/// How busy the bus is with what we see of it, over the last full second.
+/// The load of the bus by all frames that were sent or received, over the last full second.
 class LoadMeter
 {
 public:
@@ -11,7 +11,7 @@ public:
 
   void add(double bits) { bits_ += bits; }
 
-  /// Now and then, at least every second.
+  /// To be called at least once a second.
   void update(double now)
   {
     const double elapsed = now - begun_;

@@ -7,7 +7,7 @@ namespace fourwis::can
 namespace
 {
 
-/// After a longer pause the set-point goes on as if it had lasted so many cycles.
+/// The set-point moves on by at most this many cycles at once, also after a longer pause.
 constexpr double kLongestStep = 2.0;
 
 }  // namespace

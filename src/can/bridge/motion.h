@@ -7,19 +7,19 @@
 namespace fourwis::can
 {
 
-/// From commands to what the wheels are told at the moment.
+/// Turns commands into the set-point of the wheels.
 class Motion
 {
 public:
   Motion(const Robot& robot, const BridgeOptions& options);
 
-  /// The base is going to follow; there is no command and no mode yet.
+  /// The base begins to follow commands. There is no command and no mode yet.
   void begin(double now);
 
-  /// Whatever was commanded is not followed any more.
+  /// The last command is not followed any more.
   void forget() { commands_.forget(); }
 
-  /// The wheels are told to be where they are, at rest.
+  /// The set-point is the present position of the wheels, at rest.
   void hold(const WheelMotion& measured, double now);
 
   CommandWatch::Verdict take(const WheelCommand& command, double made, double now)
@@ -27,10 +27,10 @@ public:
     return commands_.take(command, made, now);
   }
 
-  /// Nearer to the newest command.
+  /// The set-point moves towards the newest command.
   void follow(const WheelMotion& measured, double now);
 
-  /// Without commands: rolls out with the angles held, or is told to stand at once.
+  /// Without commands, with the angles held: the speed goes down by a ramp, or is 0 at once.
   void ramp_down(double now);
   void halt(double now);
 
@@ -48,7 +48,7 @@ private:
   Interlock interlock_;
   Setpoint setpoint_;
   double longest_step_;
-  double moved_ = 0.0;  ///< when the set-point was last changed
+  double moved_ = 0.0;  ///< when the set-point was changed last [s]
 };
 
 }  // namespace fourwis::can

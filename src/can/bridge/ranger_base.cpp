@@ -9,18 +9,19 @@ namespace fourwis::can
 namespace
 {
 
-/// Before we say anything we listen this long; then we ask for control this often [s].
+/// Time of listening before anything is sent, and the period of the requests for control after that [s].
 constexpr double kListenTime = 0.1, kAskPeriod = 0.1;
-/// The base reports its state every 100 ms and its wheels every 20 ms; without it for so long it is lost [s].
+/// The base reports its state every 100 ms and its wheels every 20 ms. It is lost after these times without a report
+/// [s].
 constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
-/// Commands are not sent more often, but for stops; the base wants them every 20 ms [s].
+/// Least time between two commands. Stops are sent at once. The base wants commands every 20 ms [s].
 constexpr double kCommandPeriod = 0.015;
-/// It stands when all wheels are slower [m/s].
+/// The base stands when all wheels are slower than this [m/s].
 constexpr double kStands = 0.01;
-/// In its parallel mode the base steers so far to either side [rad].
+/// Greatest steering angle of the base in parallel mode, to either side [rad].
 constexpr double kParallelTravel = M_PI / 2.0 + 1e-3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
-/// Where the vehicle's state is a failure, and the identifiers of who else might command it.
+/// The number of the vehicle's state `failure`, and the identifiers of commands, which only another master would send.
 constexpr std::uint8_t kFailure = 2;
 constexpr std::uint32_t kCommandIds[] = {0x111, 0x141, 0x421};
 constexpr std::uint32_t kFeedbackIds[] = {0x211, 0x221, 0x271, 0x281, 0x291};
@@ -36,7 +37,7 @@ bool moves(const RangerMotion& motion)
   return motion.speed != 0.0 || motion.yaw != 0.0 || motion.lateral != 0.0;
 }
 
-/// With the angles held.
+/// Speed 0 with the angle held.
 RangerMotion standing(double steering)
 {
   RangerMotion motion;
@@ -63,7 +64,7 @@ RangerBase::RangerBase(const Robot& robot, const BridgeOptions& options, FaultLo
 
 void RangerBase::restart(bool reset_faults, double now, Outbox& outbox)
 {
-  // It may still roll.
+  // The base may still roll.
   if (told_) outbox.put(encode_ranger_motion(standing(told_->steering)));
   told_.reset();
   reset_faults_ = reset_faults;
@@ -85,7 +86,7 @@ void RangerBase::receive(const Frame& frame, double now, Outbox&)
   if (!take(frame, now) && contains(kFeedbackIds, frame)) report_(Fault::malformed_frame, frame.id, now);
 }
 
-/// Whether it is a message that we know.
+/// Whether the frame is a message of the protocol.
 bool RangerBase::take(const Frame& frame, double now)
 {
   if (const auto state = decode_ranger_state(frame)) return state_ = *state, state_at_ = now, true;
@@ -130,7 +131,7 @@ void RangerBase::supervise_base(double now)
   supervise_following(now);
 }
 
-/// Wheels that stand have the interlock's timeout.
+/// While the wheels stand, the timeout of the interlock applies instead.
 void RangerBase::supervise_following(double now)
 {
   const bool drives = follows_ && told_ && moves(*told_);
@@ -155,14 +156,14 @@ void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
   outbox.put(encode_ranger_motion(motion));
 }
 
-/// Whoever has not commanded it does not steer it, either; a stop ends when it stands.
+/// Before the first command of an operation nothing is sent. After it, commands are sent until the base stands.
 bool RangerBase::is_to_be_told(const DriveDemand& demand) const
 {
   const bool stops = told_ && rolls();
   return demand.mode != Mode::none && (demand.driving != PowerGoal::off || stops);
 }
 
-/// Wheels that may roll stay on the branch they are on; at rest they take the one that the base can reach.
+/// Wheels that may roll keep their branch (angle + k pi). At rest they take the branch that the base can reach.
 RangerMotion RangerBase::motion_of(const DriveDemand& demand, double now) const
 {
   const bool held = told_ && (!follows_ || moves(*told_) || rolls());

@@ -11,7 +11,7 @@ namespace fourwis::can
 {
 
 /// An AgileX Ranger: one controller that turns a mode, a speed and an angle into the motion of its wheels. It has no
-/// drives of its own to switch: out of operation it is told to stand, and when it stands, nothing.
+/// drives that can be switched off. Out of operation it is commanded to stand, and when it stands, nothing is sent.
 class RangerBase final : public BaseProtocol
 {
 public:
@@ -48,18 +48,18 @@ private:
   FaultReporter report_;
   StartStep step_ = StartStep::listening;
   bool reset_faults_ = false;
-  bool foreign_ = false;  ///< somebody else commands it: we do not start
-  bool follows_ = false;  ///< it is told to
-  double entered_ = 0.0;  ///< the step
-  double asked_ = 0.0;    ///< for control of the base
+  bool foreign_ = false;  ///< another master commands the base; then it is not started
+  bool follows_ = false;  ///< whether the base is to follow commands
+  double entered_ = 0.0;  ///< when the present step began [s]
+  double asked_ = 0.0;    ///< when control of the base was requested last [s]
   RangerState state_;
   RangerModeState mode_;
   PerWheel angles_{}, speeds_{};
-  double state_at_, mode_at_, angles_at_, speeds_at_;  ///< when they came
+  double state_at_, mode_at_, angles_at_, speeds_at_;  ///< when they were received [s]
   WheelMotion measured_;
   double measured_at_ = 0.0;
   WheelMotion wanted_;                ///< what the wheels should do
-  std::optional<RangerMotion> told_;  ///< what it was told last, in this operation
+  std::optional<RangerMotion> told_;  ///< the last command that was sent in this operation
   double told_at_;
   Steady stuck_, off_speed_;
 };

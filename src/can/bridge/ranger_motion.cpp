@@ -73,7 +73,7 @@ RangerMotion RangerKinematics::base_motion(Mode mode, const WheelMotion& wheels,
   return base;
 }
 
-/// Of the inner wheel in front, which turns farther than the other.
+/// The base's steering angle is that of the inner front wheel, which turns further than the outer one.
 double RangerKinematics::inner_angle(Mode mode, double phi) const
 {
   const WheelMotion forward = wheel_motion(robot_, mode, 1.0, phi);

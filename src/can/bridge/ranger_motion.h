@@ -6,23 +6,24 @@
 namespace fourwis::can
 {
 
-/// Between the four wheels and the few motions that a Ranger knows.
+/// Converts between the motion of the four wheels and the motions that a Ranger can carry out.
 class RangerKinematics
 {
 public:
   RangerKinematics(const Robot& robot, const RangerOptions& options) : robot_(robot), options_(options) {}
 
-  /// Why the base cannot do that, in words; null if it can.
+  /// Why the base cannot carry out the command, in words; null if it can.
   const char* refusal(const WheelCommand& command) const;
 
-  /// The number of the base's own mode for ours.
+  /// The base's own mode for one of ours.
   RangerMode base_mode(Mode mode) const;
 
-  /// What the base has to be told so that the wheels do this, in a mode that is not refused. In parallel mode half a
-  /// turn of all wheels and the opposite speed are the same: the steering nearest to `near_steering`.
+  /// The command for the base that gives this motion of the wheels, in a mode that is not refused. In parallel mode
+  /// (angle + pi, -speed) is the same motion: the result has the steering nearest to `near_steering`.
   RangerMotion base_motion(Mode mode, const WheelMotion& wheels, double near_steering = 0.0) const;
 
-  /// What the base says of its wheels, in our order, each on the branch nearest to the angle it was told to have.
+  /// The measured motion of the wheels in our order, each on the branch (angle + k pi) nearest to the commanded angle
+  /// `told`.
   WheelMotion measured(const PerWheel& angles, const PerWheel& speeds, const PerWheel& told) const;
 
 private:

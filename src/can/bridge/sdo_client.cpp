@@ -34,7 +34,7 @@ void SdoClient::start(const SdoScript& script, double now, Outbox& outbox)
 void SdoClient::receive(const Frame& frame, double now, Outbox& outbox)
 {
   const auto reply = decode_sdo_reply(frame);
-  // An answer to an earlier attempt that came late is no answer to this one.
+  // A late answer to an earlier request does not count.
   if (state_ != State::working || !reply || reply->object != step().object) return;
   accept(*reply, now, outbox);
 }

@@ -6,7 +6,7 @@
 namespace fourwis::can
 {
 
-/// Works through a script with one drive, a request at a time, each repeated where no answer comes.
+/// Carries out a script with one drive, one request at a time. A request without an answer is sent up to three times.
 class SdoClient
 {
 public:
@@ -20,19 +20,19 @@ public:
 
   SdoClient(int node, double timeout) : node_(node), timeout_(timeout) {}
 
-  /// `script` must outlive the work.
+  /// `script` must live until the client is done or stopped.
   void start(const SdoScript& script, double now, Outbox& outbox);
   void stop() { state_ = State::idle; }
 
   void receive(const Frame& frame, double now, Outbox& outbox);
 
-  /// Repeats the request that was not answered in time.
+  /// Once a cycle: repeats a request that was not answered in time, or fails after the last attempt.
   void supervise(double now, Outbox& outbox);
 
   State state() const { return state_; }
   Fault fault() const { return fault_; }            ///< of `failed`
   std::uint32_t detail() const { return detail_; }  ///< abort code, or the value that was read
-  std::uint32_t object() const;                     ///< that it failed with, index << 8 | sub-index
+  std::uint32_t object() const;                     ///< the object of the present step, index << 8 | sub-index
 
 private:
   const SdoStep& step() const { return (*script_)[position_]; }
@@ -46,7 +46,7 @@ private:
   double timeout_;
   const SdoScript* script_ = nullptr;
   std::size_t position_ = 0;
-  bool reading_ = false;  ///< the request that waits for its answer is a read
+  bool reading_ = false;  ///< whether the pending request is a read
   int attempts_ = 0;
   double asked_ = 0.0;
   State state_ = State::idle;

@@ -13,18 +13,19 @@ namespace
 
 using Kind = SdoStep::Kind;
 
-/// Of a PDO's identifier: the PDO does not exist; and what some drives set by themselves, "no remote request".
+/// Bits of a PDO's identifier: the PDO does not exist; no remote request, which some drives set by themselves.
 constexpr std::uint32_t kInvalid = 1u << 31, kNoRemote = 1u << 30;
 constexpr std::uint32_t kEverySync = 1;
-/// Objects as a mapping names them: index, sub-index, bits.
+/// Objects in the form of a PDO mapping: index, sub-index, number of bits.
 constexpr std::uint32_t kControlword = 0x60400010, kMode = 0x60600008, kTargetPosition = 0x607A0020,
                         kTargetVelocity = 0x60FF0020, kStatusword = 0x60410010, kModeDisplay = 0x60610008,
                         kPosition = 0x60640020, kVelocity = 0x606C0020;
-/// 6007 and 605A, 605E: quick stop; by its ramp, then without torque. 1029:1: to the state `stopped`.
+/// Values of 6007: quick stop; of 605A and 605E: brake by the ramp, then without torque; of 1029:1: to the state
+/// `stopped`.
 constexpr std::uint32_t kQuickStop = 3, kRampThenDisable = 2, kBecomeStopped = 2;
-/// A steering axis comes to rest within this time where the drive itself stops it [s].
+/// Time in which a drive stops a steering axis by itself [s].
 constexpr double kSteeringStopTime = 0.2;
-/// Homing is this much slower than steering, and once more for the search of the zero.
+/// Homing is slower than steering by this factor, and the search of the zero is slower by this factor once more.
 constexpr double kHomingSlowness = 10.0;
 constexpr double kMostCounts = std::numeric_limits<std::uint32_t>::max();
 
@@ -59,7 +60,7 @@ SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault refusal)
   return step;
 }
 
-/// 0: anything, but something.
+/// A number of 0 accepts every identity except 0.
 SdoStep expect_identity(ObjectId object, double number)
 {
   const auto value = static_cast<std::uint32_t>(number);
@@ -76,7 +77,7 @@ std::uint32_t milliseconds(double seconds)
   return static_cast<std::uint32_t>(std::lround(seconds * 1e3));
 }
 
-/// A positive number of counts for objects that have no sign.
+/// A positive number of counts, for objects without a sign.
 std::uint32_t magnitude(const AxisScale& scale, double rate)
 {
   return static_cast<std::uint32_t>(std::clamp(std::round(std::abs(rate * scale.counts_per_unit())), 1.0, kMostCounts));
@@ -105,7 +106,7 @@ void add_pdos(SdoScript& script, int node, bool steering)
   add_pdo(script, 0x1801, 0x1A01, cob_id(Service::tpdo2, node), {kPosition, kVelocity});
 }
 
-/// The drive stops by itself when it does not hear us.
+/// The drive stops by itself when our heartbeat is missing.
 void add_watchdogs(SdoScript& script, const BridgeOptions& options)
 {
   script.push_back(write({0x605A, 0}, kRampThenDisable, 2));

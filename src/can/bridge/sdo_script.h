@@ -11,38 +11,38 @@
 namespace fourwis::can
 {
 
-/// One thing to be done with an object of a drive before it may work.
+/// One step of a drive's start-up: an object is read and compared, or written.
 struct SdoStep
 {
   enum class Kind
   {
-    expect_equal,  ///< read it; it must be `value`
+    expect_equal,  ///< read it; its value must be `value`
     expect_bits,   ///< read it; all bits of `value` must be set
     write,         ///< write `value`, read it back
-    write_only     ///< write `value`; it may read as something else
+    write_only     ///< write `value`; it may read back as another value
   };
   Kind kind = Kind::write;
   ObjectId object;
   std::uint32_t value = 0;
   int size = 4;                             ///< bytes of the object
-  std::uint32_t compared = 0xFFFFFFFF;      ///< the bits that must read as written
-  bool optional = false;                    ///< a drive without the object is good enough
-  Fault refusal = Fault::setting_not_kept;  ///< what it is when the value read is another
+  std::uint32_t compared = 0xFFFFFFFF;      ///< the bits that must read back as written
+  bool optional = false;                    ///< a drive may lack the object
+  Fault refusal = Fault::setting_not_kept;  ///< the fault when the value read is another
 };
 
 using SdoScript = std::vector<SdoStep>;
 
-/// Who the drive is and what it can do.
+/// Checks the identity and the abilities of the drive.
 SdoScript identification_script(const BridgeOptions& options, bool steering);
 
-/// Its PDOs, its watchdogs, its ramps and limits.
+/// Writes its PDOs, watchdogs, ramps and limits.
 SdoScript configuration_script(const Robot& robot, const BridgeOptions& options, const AxisOptions& axis,
                                bool steering);
 
-/// The mode it will work in.
+/// The mode of operation while driving.
 OperationMode working_mode(const BridgeOptions& options, bool steering);
 
-/// How fast a drive may become, and how hard it may change its speed where it does so by its own ramps.
+/// The limits of the ramps that a drive generates by itself.
 struct Ramps
 {
   double speed = 0.0;         ///< [rad/s or m/s]
@@ -51,7 +51,7 @@ struct Ramps
 };
 Ramps ramps_of(const Robot& robot, const BridgeOptions& options, bool steering);
 
-/// What its counts mean.
+/// The conversion of its counts.
 AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool steering);
 
 }  // namespace fourwis::can

@@ -6,24 +6,23 @@
 namespace fourwis::can
 {
 
-/// Where the wheels are told to be at the moment, on the way to where they should be: no angle turns faster, no wheel
-/// accelerates harder or rolls faster than it may. The speeds of the four wheels change by one factor, so that they
-/// keep their proportions.
+/// The commanded motion of the wheels at this moment, which approaches its target within the limits of steering rate,
+/// acceleration and speed. The speeds of the four wheels change by one factor, so that they keep their proportions.
 class Setpoint
 {
 public:
   Setpoint(const Robot& robot, const BridgeOptions& options);
 
-  /// At rest with the wheels where they are.
+  /// At rest, at the measured angles.
   void hold(const WheelMotion& measured);
 
-  /// Speed zero from now on, without a ramp; angles as they are.
+  /// Speed 0 from now on, without a ramp. The angles stay.
   void halt() { now_.speed = {}; }
 
-  /// `duration` [s] further towards `target`.
+  /// Moves towards `target` for `duration` [s].
   void approach(const WheelMotion& target, double duration);
 
-  /// `duration` [s] of a controlled stop; angles as they are.
+  /// Reduces the speed for `duration` [s] of a controlled stop. The angles stay.
   void ramp_down(double duration);
 
   const WheelMotion& value() const { return now_; }

@@ -5,13 +5,13 @@
 namespace fourwis::can
 {
 
-/// Whether a condition has been true without a break for some time.
+/// Whether a condition has been true without interruption for some time.
 class Steady
 {
 public:
   explicit Steady(double duration) : duration_(duration) {}
 
-  /// To be told at each look at the condition; the answer after it.
+  /// To be called with each evaluation of the condition; the result includes it.
   bool update(bool condition, double now)
   {
     if (!condition)
@@ -20,7 +20,7 @@ public:
       since_ = now;
     return holds(now);
   }
-  // A nanosecond of slack: times are sums of cycles.
+  // A nanosecond of slack, because times are sums of cycles.
   bool holds(double now) const { return now - since_ >= duration_ - 1e-9; }
   void reset() { since_ = kNever; }
 

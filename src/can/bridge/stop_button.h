@@ -6,15 +6,15 @@
 namespace fourwis::can
 {
 
-/// An emergency stop, pressed in one thread and obeyed in another. However short a press is, it is obeyed. Neither side
-/// waits.
+/// An emergency stop that is pressed in one thread and obeyed in another. Even a very short press is obeyed. Neither
+/// thread waits.
 class StopButton
 {
 public:
-  /// One thread at a time.
+  /// To be called by one thread at a time.
   void set(bool pressed) { state_ = pressed ? (state_ + kPress) | kPressed : state_ & ~kPressed; }
 
-  /// The thread that obeys: what has happened since the last time, by calls of `obey(pressed)`, in order.
+  /// To be called by the thread that obeys. Calls `obey(pressed)` for what has happened since the last call, in order.
   template <class Obey>
   void pass_on(Obey obey)
   {
@@ -29,7 +29,7 @@ public:
 private:
   static constexpr std::uint32_t kPressed = 1, kPress = 2;
 
-  std::atomic<std::uint32_t> state_{0};  ///< kPressed while it is, and kPress for each time it was
+  std::atomic<std::uint32_t> state_{0};  ///< kPressed while it is pressed, plus kPress for each press
   std::uint32_t obeyed_ = 0;
 };
 

@@ -6,16 +6,16 @@
 namespace fourwis::can
 {
 
-/// Brings a base to rest and then its drives out of operation: the wheels roll out with their angles held, and when
-/// they stand, or after too long, the drives are disabled.
+/// Brings a base to rest and then its drives out of operation. The wheels brake with their angles held. When they
+/// stand, or after `stop_timeout`, the drives are disabled.
 class StopProcedure
 {
 public:
   enum class Kind
   {
     none,
-    ramp,  ///< the speeds come down by our ramp
-    brake  ///< speed zero at once, the drives brake by their own ramp
+    ramp,  ///< the bridge reduces the speeds by its ramp
+    brake  ///< speed 0 at once, the drives brake by their own ramp
   };
   enum class Phase
   {
@@ -31,11 +31,12 @@ public:
       standstill_(options.standstill_time)
   {}
 
-  /// Begins, or becomes harder than it was.
+  /// Begins a stop. A stop under way can become harder, not softer.
   void begin(Kind kind, double now);
   void cancel();
 
-  /// Goes on: `speed` of the fastest wheel, measured and commanded [m/s]; whether all drives are out of operation.
+  /// Once a cycle, with the measured and the commanded speed of the fastest wheel [m/s]. `off`: all drives are out of
+  /// operation.
   void update(double measured, double commanded, bool off, double now);
 
   Kind kind() const { return kind_; }

@@ -12,27 +12,27 @@
 namespace fourwis::can
 {
 
-/// What the drives of a base are asked for.
+/// What is demanded of the drives of a base.
 struct DriveDemand
 {
   PowerGoal steering = PowerGoal::off, driving = PowerGoal::off;
-  Mode mode = Mode::none;  ///< that the wheels stand for
-  WheelMotion motion;      ///< followed by drives that are in operation and are to stay so
+  Mode mode = Mode::none;  ///< the mode to which the wheels are turned
+  WheelMotion motion;      ///< followed by the drives that are in operation and stay in operation
 };
 
 /// How far a base has got since its start.
 enum class StartStep : std::uint8_t
 {
-  listening,    ///< silent: is somebody else commanding these drives?
+  listening,    ///< sends nothing, and looks for another master of these drives
   booting,      ///< waits for the drives
-  identifying,  ///< asks them who they are
-  configuring,  ///< sets them up
+  identifying,  ///< reads their identity
+  configuring,  ///< writes their settings
   starting,     ///< waits for their cyclic messages
-  homing,       ///< the steering drives look for their zero
+  homing,       ///< the steering drives search their zero
   started
 };
 
-/// What is known of one axis, for people.
+/// What is known of one axis, for diagnostics.
 struct AxisReport
 {
   NmtState node = NmtState::boot_up;
@@ -45,39 +45,39 @@ struct AxisReport
   double temperature = std::numeric_limits<double>::quiet_NaN();  ///< likewise [deg C]
 };
 
-/// A base with four steered and driven wheels, seen from the bus: what has to be sent for a demand, what is received
-/// of its wheels, and what is wrong with it. Faults go to the log that it was made with. Time is an argument,
-/// monotonic [s]. After construction nothing allocates.
+/// The protocol of a base with four steered and driven wheels. It turns demands into frames, frames into the motion of
+/// the wheels, and reports what is wrong to the log that it was constructed with. Time is an argument, monotonic [s].
+/// After construction nothing allocates.
 class BaseProtocol
 {
 public:
   virtual ~BaseProtocol() = default;
 
-  /// Starts all drives from the beginning, wherever they are. `reset_faults`: also those that are in fault.
+  /// Starts all drives from the beginning, from any state. `reset_faults`: also those that are in fault.
   virtual void restart(bool reset_faults, double now, Outbox& outbox) = 0;
 
   /// A frame of the bus; no error frame.
   virtual void receive(const Frame& frame, double now, Outbox& outbox) = 0;
 
-  /// Once a cycle: goes on with the start, looks for what has not come in time.
+  /// Once a cycle: continues the start, and checks that everything expected has come in time.
   virtual void supervise(double now, Outbox& outbox) = 0;
 
-  /// Tells the drives what is asked of them.
+  /// Sends the demand to the drives.
   virtual void command(const DriveDemand& demand, double now, Outbox& outbox) = 0;
 
-  /// Once a cycle, last: what ends it on the bus.
+  /// Once a cycle, as the last call: puts the frames that end the cycle into the outbox.
   virtual void end_cycle(double now, Outbox& outbox) = 0;
 
   virtual StartStep step() const = 0;
-  virtual int first_able_to_move() const = 0;   ///< of the axes that have torque, also to brake; kNoAxis if none
-  virtual int first_not_following() const = 0;  ///< of the axes that do not follow; kNoAxis if all follow
+  virtual int first_able_to_move() const = 0;   ///< first axis that has torque, to move or to brake; kNoAxis if none
+  virtual int first_not_following() const = 0;  ///< first axis that does not follow its target; kNoAxis if all follow
   bool in_operation() const { return first_not_following() == kNoAxis; }
   bool out_of_operation() const { return first_able_to_move() == kNoAxis; }
 
   virtual const WheelMotion& measured() const = 0;
-  virtual double measured_at() const = 0;  ///< the oldest part of it; 0: not all wheels have been measured yet [s]
+  virtual double measured_at() const = 0;  ///< time of its oldest part; 0: a wheel has not been measured yet [s]
 
-  /// Why the base cannot do what a valid command says, in words; null if it can.
+  /// Why the base cannot carry out a valid command, in words; null if it can.
   virtual const char* refusal(const WheelCommand& command) const = 0;
 
   virtual AxisReport axis(int axis) const = 0;

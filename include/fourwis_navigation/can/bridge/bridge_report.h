@@ -27,7 +27,7 @@ enum class BridgeStage : std::uint8_t
 
 const char* to_string(BridgeStage stage);
 
-/// Everything about a bridge that people want to know.
+/// The state of a bridge, for diagnostics.
 struct BridgeReport
 {
   BridgeStage stage = BridgeStage::link_down;
@@ -38,7 +38,7 @@ struct BridgeReport
   double load = 0.0;             ///< of the bus, 0 to 1
   std::uint64_t replaced = 0;    ///< frames overtaken by newer ones before the bus took them
   std::uint64_t overtaken = 0;   ///< commands that came after newer ones
-  ControllerNotice controller;   ///< the last one that told its state
+  ControllerNotice controller;   ///< the last one with a state of the controller in it
   std::array<AxisReport, kAxes> axes;
 };
 

@@ -8,7 +8,7 @@
 namespace fourwis::can
 {
 
-/// How long something took, over many times, without keeping them: bins of 20 us up to 10 ms. No allocation.
+/// A histogram of delays: bins of 20 us up to 10 ms. No allocation.
 class DelayStatistics
 {
 public:
@@ -23,7 +23,7 @@ public:
   std::uint64_t count() const { return count_; }
   double longest() const { return longest_; }  ///< [s]
 
-  /// The delay that so many did not exceed, 0 to 1, rounded up to a bin [s]; 0 where there is none.
+  /// The delay that this share of all delays (0 to 1) did not exceed, rounded up to a bin [s]; 0 where there is none.
   double percentile(double share) const
   {
     const double wanted = share * static_cast<double>(count_);

@@ -43,7 +43,7 @@ enum class Fault : std::uint8_t
   // The base.
   power_timeout,
   alignment_timeout,
-  // Those who command it.
+  // The commands.
   command_timeout,
   invalid_command,
   unsupported_motion,
@@ -54,9 +54,9 @@ enum class Fault : std::uint8_t
 /// What a fault does to a base.
 enum class Reaction : std::uint8_t
 {
-  note,     ///< is told, nothing else
+  note,     ///< is reported, nothing else
   stop,     ///< stops at once; ~enable starts it again
-  restart,  ///< stops at once, starts the drives anew by itself; then as `stop`
+  restart,  ///< stops at once and starts the drives anew by itself; then as `stop`
   latch     ///< stops at once; needs ~clear_faults, then ~enable
 };
 
@@ -74,8 +74,8 @@ struct FaultRecord
 {
   Fault fault = Fault::count;
   int axis = kNoAxis;
-  std::uint32_t detail = 0;  ///< what the fault's own message has: error code, statusword, identifier
-  std::uint32_t object = 0;  ///< the object of the drive that it is about, index << 8 | sub-index; 0: none
+  std::uint32_t detail = 0;  ///< depends on the fault: error code, statusword or identifier
+  std::uint32_t object = 0;  ///< the object of the drive that is concerned, index << 8 | sub-index; 0: none
   double time = 0.0;         ///< when it was detected [s]
 
   bool exists() const { return fault != Fault::count; }
@@ -85,8 +85,8 @@ struct FaultRecord
 /// mapped) at 1600:01"; empty for a record that does not exist.
 std::string text_of(const FaultRecord& record);
 
-/// What went wrong since the last clear(). A fault of an axis is told once, however often it is reported, but for those
-/// after which the base starts by itself: each time is another one. No allocation.
+/// The faults since the last clear(). A fault of an axis is recorded once, even if it is reported many times. Faults
+/// with the reaction `restart` are recorded each time. No allocation.
 class FaultLog
 {
 public:
@@ -94,12 +94,12 @@ public:
 
   void report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object = 0);
 
-  /// The strongest reaction reported since the last time somebody asked.
+  /// The strongest reaction that was reported since the last call.
   Reaction take_reaction();
 
-  /// The first of the strongest reaction there is: why the base stands.
+  /// The first fault with the strongest reaction: why the base stands.
   const FaultRecord& cause() const { return cause_; }
-  /// The newest, also from before the last clear(); [0] is the last one.
+  /// The newest faults, newest first, also those from before the last clear().
   const std::array<FaultRecord, kKept>& history() const { return history_; }
 
   void clear();
