@@ -19,7 +19,7 @@ const std::string kAllowed =
     "expected unix:NAME (1 to 32 letters, digits, '_', '-', '.'), a bus among the processes of this machine, or a "
     "SocketCAN interface such as can0 or vcan0 (at most 15 of them)";
 
-/// Letters, digits, `_`, `-` and, not in front, `.`.
+/// Letters, digits, `_`, `-`, and `.` except as the first character.
 bool is_plain(const std::string& name)
 {
   const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";

@@ -22,7 +22,7 @@ std::string root()
   return "/tmp/fourwis_can_" + std::to_string(geteuid());
 }
 
-/// Nothing, or why `path` is no directory of this user alone.
+/// Empty if `path` is a directory to which only this user has access, otherwise why not.
 std::string make_private(const std::string& path)
 {
   if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) return path + ": " + std::strerror(errno);

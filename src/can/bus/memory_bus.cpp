@@ -24,7 +24,7 @@ Frame error_frame(std::uint32_t error_class)
   return frame;
 }
 
-/// The smaller id goes first, and an 11-bit id before a 29-bit one that begins with it.
+/// The priority in arbitration: the smaller id first, and an 11-bit id before a 29-bit id that begins with it.
 std::uint64_t rank(const Frame& frame)
 {
   return frame.extended ? 2 * std::uint64_t{frame.id} + 1 : std::uint64_t{frame.id} << 19;
@@ -62,7 +62,7 @@ double MemoryBus::next_arrival() const
   return arrival_;
 }
 
-/// Arbitration: the lowest rank wins, of equal ones that of the older end.
+/// Arbitration: the frame of the lowest rank wins; of equal ranks, that of the end that was opened first.
 void MemoryBus::transmit_next()
 {
   sender_ = nullptr;
@@ -79,7 +79,7 @@ void MemoryBus::deliver(const Frame& frame, const End* sender)
     if (end != sender && end->link_ == Link::up && !end->bus_off_) end->inject(frame);
 }
 
-/// What `end` was sending breaks off.
+/// Breaks off the frame that `end` was sending.
 void MemoryBus::forget(const End& end)
 {
   if (sender_ == &end) transmit_next();

@@ -15,14 +15,14 @@ namespace fourwis::can
 
 struct MemoryBusOptions
 {
-  double bit_rate = 0.0;             ///< [bit/s]; 0: a frame arrives when it is sent
-  std::size_t transmit_queue = 12;   ///< frames an end may have waiting: as SocketCAN with the smallest send buffer
-  std::size_t receive_queue = 4096;  ///< frames that wait to be read, before more are dropped
+  double bit_rate = 0.0;             ///< [bit/s]; 0: a frame arrives at once
+  std::size_t transmit_queue = 12;   ///< frames of an end that may wait: as SocketCAN with the smallest send buffer
+  std::size_t receive_queue = 4096;  ///< greatest number of frames that wait to be read; further ones are dropped
 };
 
 /// A bus within one thread, for tests and simulated time: deterministic, without clock and operating system. With a bit
-/// rate each end has a transmit queue; of the frames at their heads the one of the smallest id goes first, and takes
-/// the time its bits take. Its ends must not outlive it.
+/// rate, each end has a transmit queue. Of the frames at the heads of the queues the one with the smallest id is sent
+/// first, and each frame takes the time of its bits. The ends must not outlive the bus.
 class MemoryBus
 {
 public:
@@ -34,10 +34,11 @@ public:
 
   std::unique_ptr<End> open();
 
-  /// Lets what the bus carries until `now` [s] arrive; frames sent from here on are sent at `now`. Never goes back.
+  /// Advances the time to `now` [s], which must not decrease: frames that are complete by then arrive. Frames sent
+  /// afterwards are sent at `now`.
   void advance(double now);
 
-  /// When the frame on the bus arrives [s]; infinite where there is none.
+  /// When the frame on the bus arrives [s]; infinite if there is none.
   double next_arrival() const;
 
 private:
@@ -52,7 +53,7 @@ private:
   double arrival_;         ///< of that frame
 };
 
-/// What can become of an interface.
+/// The states of an interface.
 enum class Link
 {
   up,
@@ -60,7 +61,7 @@ enum class Link
   gone
 };
 
-/// One computer on the bus with its interface, which can be told to break.
+/// The interface of one computer on the bus. Tests can make it fail.
 class MemoryBus::End final : public Bus
 {
 public:
@@ -74,18 +75,18 @@ public:
   BusCounters counters() const override { return counters_; }
   std::string_view last_error() const override;
 
-  /// Frames that wait for the bus, the one on it included.
+  /// Number of frames that wait for the bus, including the one on it.
   std::size_t waiting() const { return to_send_.size(); }
 
-  /// This interface alone; what waits in it is lost when it is not up.
+  /// The state of this interface only. Waiting frames are lost when it is not up.
   void set_link(Link link);
-  /// Refuses every frame (ENOBUFS).
+  /// From now on every frame is refused (ENOBUFS).
   void set_full(bool full) { full_ = full; }
-  /// This controller leaves the bus: an error frame says so, what is sent is lost, nothing is received. Until
-  /// restart(), or the link goes down and up.
+  /// This controller leaves the bus. An error frame reports it, sent frames are lost, none is received. It ends with
+  /// restart(), or when the link goes down and up.
   void bus_off();
   void restart();
-  /// This end receives `frame`, whoever sent it.
+  /// Puts a frame into the receive queue of this end only.
   void inject(const Frame& frame);
 
 private:
@@ -97,7 +98,7 @@ private:
   BusCounters counters_;
   Link link_ = Link::up;
   bool broken_ = false;    ///< has been down since the last recover()
-  bool no_frame_ = false;  ///< what was to be sent last
+  bool no_frame_ = false;  ///< the last frame to be sent was not valid
   bool full_ = false;
   bool bus_off_ = false;
 };

@@ -18,9 +18,9 @@ namespace fourwis::can
 namespace
 {
 
-/// Frames are small, and each takes some 700 bytes of this: enough for half a second of a full bus at 1 Mbit/s [bytes].
+/// A frame takes about 700 bytes of it: enough for half a second of a full bus at 1 Mbit/s [bytes].
 constexpr int kReceiveBuffer = 4 << 20;
-/// The kernel makes the least it allows of it, some 12 frames. The default lets hundreds of them grow old in the queue.
+/// The kernel raises it to its minimum, about 12 frames. With the default, hundreds of frames would wait in the queue.
 constexpr int kSendBuffer = 0;
 
 void set_option(int socket, int level, int option, int value)
@@ -28,7 +28,7 @@ void set_option(int socket, int level, int option, int value)
   setsockopt(socket, level, option, &value, sizeof value);
 }
 
-/// None of these must succeed: without them frames are lost earlier or uncounted.
+/// These may fail: then frames are lost earlier or are not counted.
 void set_options(int socket)
 {
   set_option(socket, SOL_SOCKET, SO_SNDBUF, kSendBuffer);
@@ -38,8 +38,8 @@ void set_options(int socket)
   set_option(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, CAN_ERR_MASK);
 }
 
-/// The number of the interface, 0 where there is none. Whoever asks for one by name instead, ioctl or if_nametoindex,
-/// makes the kernel start modprobe for a driver of that name when it is missing, each time.
+/// The number of the interface, 0 if there is none. To ask for it by name (ioctl, if_nametoindex) would make the kernel
+/// start modprobe for a driver of that name each time it is missing.
 int index_of(const std::string& interface)
 {
   const std::unique_ptr<struct if_nameindex, decltype(&if_freenameindex)> all(if_nameindex(), if_freenameindex);
@@ -48,7 +48,7 @@ int index_of(const std::string& interface)
   return one != nullptr ? static_cast<int>(one->if_index) : 0;
 }
 
-/// 0 where the interface, which is there, is up, else errno.
+/// 0 if the existing interface is up, otherwise errno.
 int interface_error(int socket, const std::string& interface)
 {
   ifreq request{};
@@ -57,8 +57,8 @@ int interface_error(int socket, const std::string& interface)
   return (request.ifr_flags & IFF_UP) != 0 ? 0 : ENETDOWN;
 }
 
-/// 0 when the socket belongs to the interface, else errno. Binding to an interface that went down meanwhile succeeds
-/// with an error to be fetched.
+/// 0 if the socket is bound to the interface, otherwise errno. Binding to an interface that has just gone down
+/// succeeds; its error is fetched afterwards.
 int bind_error(int socket, int index)
 {
   sockaddr_can address{};
@@ -79,7 +79,7 @@ std::string sentence(int error)
   return std::strerror(error);
 }
 
-/// The number of frames lost so far that came with a message, or `before`.
+/// The number of frames lost so far, if the message carries it, otherwise `before`.
 std::uint32_t overflow_of(msghdr& message, std::uint32_t before)
 {
   for (cmsghdr* note = CMSG_FIRSTHDR(&message); note != nullptr; note = CMSG_NXTHDR(&message, note))
@@ -165,7 +165,7 @@ void SocketCanBus::go_down(int error)
   error_ = interface_ + ": " + sentence(error);
 }
 
-/// After a failure of sending or receiving.
+/// To be called after sending or receiving has failed.
 BusStatus SocketCanBus::broken(int error)
 {
   if (error == ENETDOWN || error == ENODEV || error == ENXIO)

@@ -10,9 +10,9 @@
 namespace fourwis::can
 {
 
-/// An interface of Linux SocketCAN. Its bit rate, restart after bus-off and coming up are the system's job. A link that
-/// was down or gone is noticed with the next frame sent or received; the socket is then closed, for one of an interface
-/// that was deleted never works again, not even with a new interface of that name.
+/// An interface of Linux SocketCAN. The system sets its bit rate, restarts it after bus-off and brings it up. A link
+/// that was down or gone is noticed with the next frame that is sent or received. Then the socket is closed: the socket
+/// of a deleted interface never works again, not even with a new interface of that name.
 class SocketCanBus final : public Bus
 {
 public:
@@ -34,7 +34,7 @@ private:
   FileDescriptor socket_;  ///< none while down
   std::string error_;
   BusCounters counters_;
-  std::uint32_t overflowed_ = 0;  ///< frames that this socket lost, as the kernel counts
+  std::uint32_t overflowed_ = 0;  ///< frames that this socket has lost, as the kernel counts them
 };
 
 }  // namespace fourwis::can

@@ -19,10 +19,10 @@ namespace
 {
 
 constexpr int kSocketType = SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC;
-/// Ends that may have connected and wait for this one to take notice.
+/// Greatest number of connections that wait to be accepted.
 constexpr int kBacklog = 128;
 
-/// What a connection carries.
+/// The data that a connection carries for one frame.
 struct Packet
 {
   std::uint64_t number;
@@ -30,7 +30,7 @@ struct Packet
 };
 static_assert(sizeof(Packet) == 24, "no padding");
 
-/// A name that nobody else has or had.
+/// A name that no other end has or had.
 std::string unique_name()
 {
   std::random_device random;
@@ -39,7 +39,7 @@ std::string unique_name()
   return name;
 }
 
-/// bind or connect with a file's name. As those, -1 with errno.
+/// Calls bind or connect with the name of a file. Returns -1 with errno as they do.
 template <typename Call>
 int with_address(Call call, int socket, const std::string& file)
 {
@@ -138,7 +138,7 @@ void UnixBus::watch(int descriptor)
   epoll_ctl(events_.get(), EPOLL_CTL_ADD, descriptor, &event);
 }
 
-/// Under a hidden name until it listens: who finds a socket that refuses takes it for a dead end and removes it.
+/// The socket has a hidden name until it listens: other ends would remove one that refuses connections as a dead end.
 void UnixBus::listen()
 {
   own_file_ = unique_name();
@@ -164,7 +164,7 @@ void UnixBus::notice()
   if (directory_->changed() || unconnected_) connect_to_ends();
 }
 
-/// Connects to the ends that came, forgets those that went.
+/// Connects to new ends and drops those that have gone.
 void UnixBus::connect_to_ends()
 {
   unconnected_ = false;
@@ -190,7 +190,7 @@ void UnixBus::connect(const std::string& file)
     unconnected_ |= errno != ENOENT;
 }
 
-/// False where there is nobody any more.
+/// False if the other end is gone.
 bool UnixBus::hand_over(const Frame& frame, Connection& to)
 {
   const Packet packet{to.next++, to_wire(frame)};
@@ -200,7 +200,7 @@ bool UnixBus::hand_over(const Frame& frame, Connection& to)
   return false;
 }
 
-/// What a connection has: true for a frame.
+/// Receives from a connection; true if there was a frame.
 bool UnixBus::take(int descriptor, Frame& frame)
 {
   const auto from =

@@ -13,11 +13,11 @@
 namespace fourwis::can
 {
 
-/// A bus among the processes of one user on one machine, without CAN in the kernel and without a broker: each end
-/// listens at a socket in the BusDirectory and connects to those of all others. Of a process that died nothing remains
-/// but its file, which the next to send to it removes. Down when the directory is taken away. What reaches a peer is
-/// limited by the send buffer of one connection (net.core.wmem_default): a datagram socket would hold ten frames
-/// (net.unix.max_dgram_qlen).
+/// A bus among the processes of one user on one machine, without CAN in the kernel and without a broker. Each end
+/// listens at a socket in the BusDirectory and connects to those of all other ends. A process that died leaves its file
+/// behind; the next end that sends to it removes the file. The bus is down when the directory is removed. The frames
+/// that wait for a peer are limited by the send buffer of one connection (net.core.wmem_default). A datagram socket
+/// would hold only ten (net.unix.max_dgram_qlen).
 class UnixBus final : public Bus
 {
 public:
@@ -32,12 +32,12 @@ public:
   std::string_view last_error() const override { return error_; }
 
 private:
-  /// A connection to another end. Frames are numbered on each, so that the other knows of those it had no room for.
+  /// A connection to another end. Its frames are numbered, so that the other end can count those that were lost.
   struct Connection
   {
     FileDescriptor socket;
-    std::uint64_t next = 0;  ///< number of the frame to come
-    std::string file;        ///< of the end to send to
+    std::uint64_t next = 0;  ///< number of the next frame
+    std::string file;        ///< of the other end
   };
 
   bool is_down() const { return directory_ == nullptr; }

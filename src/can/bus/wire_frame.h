@@ -10,7 +10,7 @@ namespace fourwis::can
 /// The kernel's form of a valid frame.
 can_frame to_wire(const Frame& frame);
 
-/// False, and `frame` as it was, for what is no classic frame.
+/// False for data that is no classic frame; then `frame` is not changed.
 bool from_wire(const can_frame& wire, Frame& frame);
 
 }  // namespace fourwis::can

@@ -6,7 +6,7 @@
 namespace fourwis::can
 {
 
-/// Writes a number's bytes, least significant first, and returns the place behind them.
+/// Writes the bytes of a number, least significant first, and returns the place after them.
 template <class Integer>
 std::uint8_t* put_little_endian(Integer value, std::uint8_t* to)
 {

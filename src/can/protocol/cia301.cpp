@@ -18,7 +18,7 @@ Service service_of(std::uint32_t function, int node)
 {
   if (function == kSyncFunction) return node == 0 ? Service::sync : Service::emergency;
   const bool unused = function == 2 || function == 13 || function == 15;
-  // Only NMT is for all, and it is for nobody else.
+  // Only NMT has the function code 0.
   if (unused || (function == 0) != (node == 0)) return Service::other;
   return static_cast<Service>(function);
 }

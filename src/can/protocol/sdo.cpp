@@ -9,9 +9,9 @@ namespace
 {
 
 constexpr std::uint8_t kWriteRequest = 0x23, kReadRequest = 0x40, kWritten = 0x60, kValue = 0x43, kAbort = 0x80;
-/// Expedited, size not indicated.
+/// An expedited transfer without indication of the size.
 constexpr std::uint8_t kValueOfUnknownSize = 0x42;
-/// Of a command byte: bytes of the four that carry nothing.
+/// The number of unused bytes of the four, in the command byte.
 constexpr int kUnusedShift = 2;
 constexpr std::uint8_t kUnusedMask = 0x3 << kUnusedShift;
 
@@ -26,7 +26,7 @@ Frame request(int node, std::uint8_t command, ObjectId object)
   return frame;
 }
 
-/// The part of an answer that all have.
+/// The part that all answers have in common.
 SdoReply reply(SdoReply::Kind kind, const Frame& frame)
 {
   return {kind, {get_little_endian<std::uint16_t>(&frame.data[1]), frame.data[3]}, 0, 0};

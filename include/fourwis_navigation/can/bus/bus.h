@@ -10,13 +10,14 @@
 namespace fourwis::can
 {
 
-/// What became of an attempt to send or receive. Nothing throws once a bus is open: a bus that breaks is daily life.
+/// The result of an attempt to send or receive. Once a bus is open nothing throws: a bus that breaks is an expected
+/// failure.
 enum class BusStatus
 {
   ok,
   would_block,  ///< nothing to receive, or no room to send
-  down,         ///< the interface is or was down or gone: nothing more until recover(), so that no gap goes unnoticed
-  failed        ///< this frame cannot be sent, or the operating system says something else; see last_error()
+  down,         ///< the interface is or was down or gone; stays so until recover(), so that each gap is noticed
+  failed        ///< this frame cannot be sent, or another error of the operating system; see last_error()
 };
 
 struct BusCounters
@@ -24,13 +25,13 @@ struct BusCounters
   std::uint64_t sent = 0;
   std::uint64_t received = 0;
   std::uint64_t refused = 0;  ///< frames that found no room
-  std::uint64_t dropped = 0;  ///< sent by others, but lost before they were read: this end reads too slowly
-  std::uint64_t invalid = 0;  ///< what was received and is no frame
+  std::uint64_t dropped = 0;  ///< frames of others that were lost, because this end reads too slowly
+  std::uint64_t invalid = 0;  ///< received data that is not a frame
 };
 
-/// One end of a CAN bus: every frame sent reaches all other ends, in order, and none comes back to the sender. An end
-/// that does not read loses frames and holds up nobody. Not blocking, no allocation when sending and receiving. One
-/// thread at a time.
+/// One end of a CAN bus. A frame that is sent reaches all other ends, in order, and does not come back to the sender.
+/// An end that does not read loses frames and does not delay the others. Sending and receiving neither block nor
+/// allocate. To be used by one thread at a time.
 class Bus
 {
 public:
@@ -39,20 +40,21 @@ public:
   virtual BusStatus send(const Frame& frame) = 0;
   virtual BusStatus receive(Frame& frame) = 0;
 
-  /// Becomes readable when there is something to receive or to find out; -1 where there is none to wait for (down, or a
-  /// bus within one thread). Another one after recover().
+  /// A file descriptor that becomes readable when there is something to receive or the state has changed. -1 if there
+  /// is none to wait for: the bus is down, or within one thread. recover() may change it.
   virtual int descriptor() const = 0;
 
-  /// Whether frames can be sent. After `down` opens the interface anew if it is there; what was not read is discarded.
+  /// After `down`: opens the interface anew if it exists, and discards what was not read. Returns whether frames can be
+  /// sent.
   virtual bool recover() = 0;
 
   virtual BusCounters counters() const = 0;
-  virtual std::string_view last_error() const = 0;  ///< for a person, until the next call; empty when all is well
+  virtual std::string_view last_error() const = 0;  ///< in words, valid until the next call; empty if there is none
 };
 
-/// Opens an end of the bus that `name` says: `unix:NAME` a bus among the processes of this machine that needs no CAN
-/// in the kernel, anything else the SocketCAN interface of that name. A bus that is not there yet is opened in the
-/// state `down`. Throws std::invalid_argument for a name that can be none.
+/// Opens an end of the bus called `name`. `unix:NAME` is a bus among the processes of this machine that needs no CAN in
+/// the kernel; any other name is that of a SocketCAN interface. A bus that does not exist yet is opened in the state
+/// `down`. Throws std::invalid_argument for a name that is not valid.
 std::unique_ptr<Bus> open_bus(const std::string& name);
 
 }  // namespace fourwis::can

@@ -7,20 +7,21 @@
 namespace fourwis::can
 {
 
-/// Hands the newest of something from one thread to one other: what was not taken is replaced. Neither side ever
-/// waits or allocates: of three slots one is being written, one waits, one is being read.
+/// Hands the newest value from one thread to another one. A value that was not taken is replaced. Neither thread waits
+/// or allocates: of three slots one is written, one waits, one is read.
 template <class T>
 class Mailbox
 {
 public:
-  /// One thread only.
+  /// To be called by one thread only.
   void put(const T& value)
   {
     slots_[writing_] = value;
     writing_ = waiting_.exchange(writing_ | kNew, std::memory_order_acq_rel) & kSlot;
   }
 
-  /// One other thread only: whether there is something since the last time, and then what.
+  /// To be called by the other thread only. Returns whether there is a new value since the last call, and sets `value`
+  /// to it.
   bool take(T& value)
   {
     if ((waiting_.load(std::memory_order_relaxed) & kNew) == 0) return false;

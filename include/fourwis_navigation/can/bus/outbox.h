@@ -9,17 +9,17 @@
 namespace fourwis::can
 {
 
-/// Frames that are to be sent. What is sent again and again takes the place of what still waits under the same
-/// identifier, so that nothing older than the newest is ever sent and no queue grows. No allocation.
+/// Frames that wait to be sent. A frame that is sent periodically replaces the waiting one with the same identifier, so
+/// that only the newest is sent and no queue grows. No allocation.
 class Outbox
 {
 public:
   static constexpr std::size_t kCapacity = 64;
 
-  /// The newest of its identifier: replaces the one that waits, keeping its place.
+  /// Adds a frame, or replaces the waiting one with the same identifier at its place.
   void put(const Frame& frame);
 
-  /// One more; lost where there is no room, which those who send such frames notice by the answer that does not come.
+  /// Adds a frame in any case. Without room it is lost; the sender notices that by the missing answer.
   void add(const Frame& frame);
 
   void clear() { size_ = 0; }
@@ -27,13 +27,13 @@ public:
   std::size_t size() const { return size_; }
   const Frame& operator[](std::size_t i) const { return frames_[i]; }
 
-  std::uint64_t sent() const { return sent_; }          ///< frames that the bus took
-  double sent_bits() const { return sent_bits_; }       ///< what they took on the bus, at worst
-  std::uint64_t replaced() const { return replaced_; }  ///< frames that were overtaken by a newer one
+  std::uint64_t sent() const { return sent_; }          ///< frames that the bus has taken
+  double sent_bits() const { return sent_bits_; }       ///< bits that they took on the bus, in the worst case
+  std::uint64_t replaced() const { return replaced_; }  ///< frames that were replaced by a newer one
   std::uint64_t lost() const { return lost_; }          ///< frames that found no room
 
-  /// Sends as much as the bus takes. What the bus says about the first frame that it does not take, `ok` if none is
-  /// left.
+  /// Sends as many frames as the bus takes. Returns the status of the first frame that it does not take, `ok` if all
+  /// were sent.
   BusStatus flush(Bus& bus);
 
 private:

@@ -5,12 +5,12 @@
 namespace fourwis::can
 {
 
-/// The time that no clock setting moves, since some beginning [s].
+/// The time of a clock that is never set, since an arbitrary beginning [s].
 double monotonic_now();
 
-/// Makes the calling thread preempt all ordinary ones (SCHED_FIFO of that priority, 1 to 99) and keeps the process's
-/// memory from being paged out. What the system does not allow, and how to allow it, in words; empty when it allows
-/// all.
+/// Gives the calling thread precedence over all ordinary ones (SCHED_FIFO of that priority, 1 to 99) and prevents that
+/// the memory of the process is paged out. Returns in words what the system did not allow and how to allow it; empty if
+/// it allowed all.
 std::string become_real_time(int priority);
 
 }  // namespace fourwis::can

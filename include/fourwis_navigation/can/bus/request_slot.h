@@ -9,7 +9,7 @@
 namespace fourwis::can
 {
 
-/// What people ask of a thread that must not wait for them: they do.
+/// Hands a request from any thread to one that must not wait. The thread that asks waits for the answer.
 class RequestSlot
 {
 public:
@@ -21,10 +21,10 @@ public:
     clear_faults
   };
 
-  /// `wake`: told when there is a request. `patience`: a request that was not taken after so long is withdrawn [s].
+  /// `wake` is raised when there is a request. A request that was not taken within `patience` [s] is withdrawn.
   explicit RequestSlot(SignalEvent& wake, double patience = 1.0) : wake_(wake), patience_(patience) {}
 
-  /// Asks, and waits for the answer; empty when it is accepted.
+  /// Makes a request and waits for the answer, which is empty when it is accepted.
   std::string ask(Request request)
   {
     const std::lock_guard<std::mutex> one_at_a_time(mutex_);
@@ -34,16 +34,16 @@ public:
     bool answered = answered_.wait(patience_);
     const bool withdrawn = !answered && request_.exchange(Request::none) != Request::none;
     if (withdrawn) return "the bridge does not answer";
-    // Or else it has been taken, and the answer is on its way.
+    // Otherwise it has been taken, and the answer will come.
     while (!answered) answered = answered_.wait(patience_);
     const char* refusal = answer_.load();
     return refusal ? refusal : "";
   }
 
-  /// In the thread that is asked: the request that waits, or none.
+  /// To be called by the thread that answers: the waiting request, or none.
   Request take() { return request_.exchange(Request::none); }
 
-  /// Likewise: the answer, null when it is accepted.
+  /// To be called by the thread that answers; null means that the request is accepted.
   void answer(const char* refusal)
   {
     answer_.store(refusal);

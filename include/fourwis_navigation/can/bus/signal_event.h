@@ -14,7 +14,7 @@
 namespace fourwis::can
 {
 
-/// Wakes another thread that waits for its descriptor. Neither side waits for the other.
+/// Wakes another thread that waits for the descriptor. raise() does not wait.
 class SignalEvent
 {
 public:
@@ -29,14 +29,14 @@ public:
     [[maybe_unused]] const ssize_t written = write(event_.get(), &one, sizeof one);
   }
 
-  /// Whether it has been raised since the last time.
+  /// Whether it has been raised since the last clear() or wait().
   bool clear()
   {
     std::uint64_t count = 0;
     return read(event_.get(), &count, sizeof count) > 0;
   }
 
-  /// Whether it is raised within `timeout` [s].
+  /// Waits until it is raised, at most `timeout` [s]; whether it was.
   bool wait(double timeout)
   {
     pollfd item{event_.get(), POLLIN, 0};

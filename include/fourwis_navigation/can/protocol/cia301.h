@@ -6,17 +6,17 @@
 
 #include "fourwis_navigation/can/protocol/frame.h"
 
-/// CANopen, CiA 301: who sends what, and the messages that are not about drives. Pure bytes. A decoder answers
-/// nothing for a frame that is not its message or has the wrong length; node numbers are 1 to 127.
+/// CANopen, CiA 301: the meaning of identifiers, and the messages that do not depend on a device profile. Pure bytes. A
+/// decoder returns nothing for a frame that is another message or has the wrong length. Node numbers are 1 to 127.
 namespace fourwis::can
 {
 
-/// The kind of message that an identifier stands for; the number is the function code, its upper four bits.
+/// The kind of message of an identifier. The number is the function code, the upper four bits of the identifier.
 enum class Service : std::uint8_t
 {
   nmt = 0,
-  sync = 1,       ///< 080 itself
-  emergency = 2,  ///< 080 + node; shares the function code of `sync`, so not its own
+  sync = 1,       ///< identifier 080
+  emergency = 2,  ///< identifier 080 + node; its function code is that of `sync`
   tpdo1 = 3,      ///< from the drive
   rpdo1 = 4,      ///< to the drive
   tpdo2 = 5,
@@ -28,10 +28,10 @@ enum class Service : std::uint8_t
   sdo_reply = 11,    ///< from the drive
   sdo_request = 12,  ///< to the drive
   heartbeat = 14,
-  other = 15  ///< nothing of CiA 301 that we know
+  other = 15  ///< any other identifier
 };
 
-/// What an identifier says. `node` is 0 where the message is for or from all.
+/// The meaning of an identifier. `node` is 0 for messages to or from all nodes.
 struct Address
 {
   Service service = Service::other;
@@ -40,10 +40,10 @@ struct Address
 
 Address address_of(const Frame& frame);
 
-/// The identifier of a message; not for `other`.
+/// The identifier of a message of any service but `other`.
 std::uint32_t cob_id(Service service, int node);
 
-/// Commands to the state of a node itself.
+/// Commands that change the state of a node.
 enum class NmtCommand : std::uint8_t
 {
   start = 1,
@@ -53,7 +53,7 @@ enum class NmtCommand : std::uint8_t
   reset_communication = 130
 };
 
-/// The state of a node itself, as its heartbeat has it.
+/// The state of a node, as in its heartbeat.
 enum class NmtState : std::uint8_t
 {
   boot_up = 0,
@@ -69,10 +69,10 @@ Frame encode_nmt(NmtCommand command, int node);
 Frame encode_sync();
 Frame encode_heartbeat(int node, NmtState state);
 
-/// Nothing also for a state that is none.
+/// Nothing also for a number that is no state.
 std::optional<NmtState> decode_heartbeat(const Frame& frame);
 
-/// A drive says that something is wrong, or with code 0 that nothing is any more.
+/// The message of a node about an error; code 0 means that there is no error any more.
 struct Emergency
 {
   std::uint16_t code = 0;

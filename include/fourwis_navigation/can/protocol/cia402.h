@@ -5,7 +5,7 @@
 
 #include "fourwis_navigation/can/protocol/frame.h"
 
-/// CANopen drives, CiA 402: states, the words that move a drive between them, and the cyclic messages in our mapping.
+/// CANopen drives, CiA 402: the states of a drive, the words that change them, and the cyclic messages in our mapping.
 /// Pure bytes and pure functions.
 namespace fourwis::can
 {
@@ -21,12 +21,12 @@ enum class DriveState : std::uint8_t
   quick_stop_active,
   fault_reaction,
   fault,
-  unknown  ///< a statusword that no state has
+  unknown  ///< the statusword is that of no state
 };
 
 const char* to_string(DriveState state);
 
-/// Statusword & 6F tells the state.
+/// The state is given by statusword & 6F.
 DriveState drive_state(std::uint16_t statusword);
 
 /// Bits of the statusword.
@@ -44,13 +44,13 @@ inline constexpr std::uint16_t disable_voltage = 0x00, quick_stop = 0x02, shutdo
                                change_immediately = 1 << 5, fault_reset = 1 << 7;
 }
 
-/// Where a drive's power stage is to be brought.
+/// The goal for the power stage of a drive.
 enum class PowerGoal : std::uint8_t
 {
   off,        ///< without torque
-  keep,       ///< following its target if it does already, without torque otherwise
+  keep,       ///< following its target if it already does, otherwise without torque
   on,         ///< following its target
-  quick_stop  ///< braking as fast as it is set up to, then without torque
+  quick_stop  ///< braking with its quick-stop ramp, then without torque
 };
 
 /// The controlword that brings a drive one state nearer to its goal. Never resets a fault.
@@ -71,7 +71,7 @@ enum class OperationMode : std::int8_t
   cyclic_velocity = 9
 };
 
-/// What object 6502 says of a mode.
+/// Whether a mode is supported, by the value of object 6502.
 bool supports(std::uint32_t supported_modes, OperationMode mode);
 
 /// RPDO1: 6040, 6060, and 607A or 60FF.
@@ -97,7 +97,7 @@ struct DriveMotion
   std::int32_t velocity = 0;  ///< [counts/s]
 };
 
-// Nothing for a frame of another message or another length.
+// They return nothing for a frame of another message or another length.
 std::optional<DriveStatus> decode_drive_status(const Frame& frame);
 std::optional<DriveMotion> decode_drive_motion(const Frame& frame);
 

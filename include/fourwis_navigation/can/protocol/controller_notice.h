@@ -8,13 +8,13 @@
 namespace fourwis::can
 {
 
-/// What a CAN controller says of itself in an error frame; the bits are those of linux/can/error.h.
+/// The state of a CAN controller in an error frame. The bits are those of linux/can/error.h.
 struct ControllerNotice
 {
   bool bus_off = false;
   bool restarted = false;  ///< the controller is on the bus again
   bool transmit_timeout = false;
-  bool no_acknowledge = false;  ///< nobody else is on the bus
+  bool no_acknowledge = false;  ///< no other node acknowledges frames
   bool warning = false;
   bool passive = false;  ///< error-passive: many errors, still working
   bool active = false;   ///< back to normal
@@ -24,7 +24,7 @@ struct ControllerNotice
   std::uint8_t receive_errors = 0;
 };
 
-/// Whether it says in which state the controller is; others are about single frames.
+/// Whether the notice tells a state of the controller. Other notices are about single frames.
 bool tells_state(const ControllerNotice& notice);
 
 /// Nothing for a frame that is no error frame.

@@ -12,7 +12,7 @@ struct Frame
   std::uint32_t id = 0;  ///< 11 bits, or 29 where `extended`; of an error frame: the class bits of linux/can/error.h
   bool extended = false;
   bool remote = false;    ///< asks for data and carries none
-  bool error = false;     ///< not a frame of the bus but what the controller says of it
+  bool error = false;     ///< a report of the controller, not a frame of the bus
   std::uint8_t size = 0;  ///< bytes of data, 0 to 8
   std::array<std::uint8_t, 8> data{};
 
@@ -27,14 +27,15 @@ struct Frame
   friend bool operator!=(const Frame& a, const Frame& b) { return !(a == b); }
 };
 
-/// Whether it can be on a bus: at most 8 bytes, an id of 11 or 29 bits, and an error frame is nothing else besides.
+/// Whether the frame can be on a bus: at most 8 bytes, an id of 11 or 29 bits; an error frame is neither remote nor
+/// extended.
 inline bool is_valid(const Frame& frame)
 {
   const std::uint32_t largest = frame.extended || frame.error ? 0x1fffffff : 0x7ff;
   return frame.size <= 8 && frame.id <= largest && !(frame.error && (frame.remote || frame.extended));
 }
 
-/// What a bus says of anything else.
+/// The error text of a bus for any other frame.
 constexpr char kNoFrame[] =
     "not a frame: more than 8 bytes, an id of too many bits, or an error frame that is remote or extended";
 

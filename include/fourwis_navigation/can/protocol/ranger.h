@@ -8,11 +8,11 @@
 #include "fourwis_navigation/model/wheels.h"
 
 /// AgileX Ranger, CAN protocol v2, after ugv_sdk: 11-bit identifiers, big-endian, two's complement. Pure bytes. A
-/// decoder answers nothing for a frame that is not its message or has not 8 bytes.
+/// decoder returns nothing for a frame that is another message or has not 8 bytes.
 namespace fourwis::can
 {
 
-/// Message 141, feedback 291: how the base's wheels stand.
+/// The mode of the base: message 141, feedback 291.
 enum class RangerMode : std::uint8_t
 {
   dual_ackermann = 0,
@@ -33,7 +33,7 @@ struct RangerMotion
 
 Frame encode_ranger_motion(const RangerMotion& motion);
 Frame encode_ranger_mode(RangerMode mode);
-Frame encode_ranger_can_control();  ///< the base listens to the bus, not to its remote control
+Frame encode_ranger_can_control();  ///< the base is to obey the bus instead of its remote control
 Frame encode_ranger_clear_errors();
 
 /// Message 211, ten times a second.
@@ -47,14 +47,14 @@ struct RangerState
 std::optional<RangerState> decode_ranger_state(const Frame& frame);
 std::optional<RangerMotion> decode_ranger_motion(const Frame& frame);
 
-/// Messages 271 and 281: angles [rad], speeds [m/s] of the four wheels in the base's own order.
+/// Messages 271 and 281: angles [rad] and speeds [m/s] of the four wheels in the order of the base.
 std::optional<PerWheel> decode_ranger_angles(const Frame& frame);
 std::optional<PerWheel> decode_ranger_speeds(const Frame& frame);
 
 /// Message 291.
 struct RangerModeState
 {
-  std::uint8_t mode = 0;  ///< RangerMode's numbers
+  std::uint8_t mode = 0;  ///< a number of RangerMode
   bool changing = false;
 };
 std::optional<RangerModeState> decode_ranger_mode(const Frame& frame);

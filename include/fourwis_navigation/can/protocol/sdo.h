@@ -5,8 +5,8 @@
 
 #include "fourwis_navigation/can/protocol/frame.h"
 
-/// CANopen, CiA 301: reading and writing a node's objects one by one, as far as four bytes suffice (expedited
-/// transfer). Pure bytes.
+/// CANopen, CiA 301: reading and writing single objects of a node, of up to four bytes (expedited transfer). Pure
+/// bytes.
 namespace fourwis::can
 {
 
@@ -19,28 +19,28 @@ struct ObjectId
   friend bool operator!=(ObjectId a, ObjectId b) { return !(a == b); }
 };
 
-/// Asks `node` to set an object of `size` bytes, 1 to 4; a negative value in two's complement.
+/// Requests `node` to set an object of `size` bytes, 1 to 4. A negative value is in two's complement.
 Frame encode_sdo_write(int node, ObjectId object, std::uint32_t value, int size);
 
-/// Asks `node` for an object.
+/// Requests the value of an object from `node`.
 Frame encode_sdo_read(int node, ObjectId object);
 
-/// A node's answer to one of these.
+/// The answer of a node to one of these requests.
 struct SdoReply
 {
   enum class Kind
   {
     written,
     value,
-    abort  ///< it will not; `value` is CiA 301's code of why
+    abort  ///< the request is refused; `value` is the abort code of CiA 301
   };
   Kind kind = Kind::abort;
   ObjectId object;
   std::uint32_t value = 0;
-  int size = 0;  ///< bytes of `value`, 4 where the node does not say
+  int size = 0;  ///< bytes of `value`; 4 if the node does not say
 };
 
-/// Nothing for a frame that is no answer, has not 8 bytes, or does not fit into one frame.
+/// Nothing for a frame that is no answer or has not 8 bytes, and for an answer that takes more than one frame.
 std::optional<SdoReply> decode_sdo_reply(const Frame& frame);
 
 // Abort codes.
