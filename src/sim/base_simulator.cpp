@@ -93,7 +93,7 @@ void BaseSimulator::take_commands()
   }
 }
 
-/// Lost commands, and wheels that do not turn.
+/// Changes the state when commands are missing, wheels do not turn in time, or a stop is over.
 void BaseSimulator::watch()
 {
   const double silence = static_cast<double>(steps_ - taken_at_) * options_.time_step;
@@ -119,7 +119,7 @@ void BaseSimulator::control()
   set_speeds(wanted.speed);
 }
 
-/// All wheels by one factor, so that the body keeps its path.
+/// Reduces the speeds of all wheels by one factor, so that the body keeps its path.
 void BaseSimulator::stop()
 {
   WheelMotion slower{{}, speeds_};

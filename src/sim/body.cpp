@@ -12,11 +12,11 @@ namespace fourwis
 namespace
 {
 
-/// Weight of the rolling resistance of a wheel that is not driven: too little to slow the driven ones down, but a body
-/// without any drive stands still.
+/// Weight of the rolling resistance of a wheel that is not driven. It is too small to slow the driven wheels down, but
+/// a body without any drive stands still.
 constexpr double kResistance = 1e-9;
 
-/// How the velocity of a wheel in the direction `angle` depends on (vx, vy, omega).
+/// The derivative of a wheel's velocity in the direction `angle` with respect to (vx, vy, omega).
 Eigen::Vector3d row(const WheelPosition& axis, double angle)
 {
   const double c = std::cos(angle), s = std::sin(angle);

@@ -10,7 +10,7 @@ namespace fourwis
 namespace
 {
 
-/// Sums of steps count as reached although rounding leaves them a little short [s].
+/// Sums of time steps may be too small by rounding. They count as reached within this [s].
 constexpr double kRounding = 1e-9;
 
 }  // namespace

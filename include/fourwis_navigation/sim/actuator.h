@@ -3,14 +3,14 @@
 namespace fourwis
 {
 
-/// A value (angle or speed) that follows its target: first-order lag, limited rate, within a range about 0.
+/// A value (angle or speed) that follows its target with a first-order lag, at a limited rate, within a range about 0.
 class Actuator
 {
 public:
   struct Limits
   {
     double range;  ///< greatest |value|
-    double rate;   ///< greatest |change| for each second
+    double rate;   ///< greatest |change| per second
     double lag;    ///< time constant [s]; 0: only the rate limits
   };
 
@@ -19,10 +19,10 @@ public:
   void set_target(double target) { target_ = target; }
   double target() const { return target_; }
 
-  /// Forces the value to where something else has moved it; the target stays.
+  /// Sets the value, for an axis that something else moves. The target stays.
   void set_value(double value);
 
-  /// Lets time pass [s]; the target stays what it is meanwhile. Exact for any duration that the rate does not limit.
+  /// Advances the time by `duration` [s] with a constant target. Exact for any duration, unless the rate limits.
   void step(double duration);
 
   double value() const { return value_; }

@@ -15,24 +15,24 @@
 namespace fourwis
 {
 
-/// A 4WIS base without mass: eight actuators, a body that moves as its wheels roll, and what a base does by itself: it
-/// stops when nobody commands it, and turns its wheels at standstill before it drives in another mode. Repeatable: the
-/// same seed and the same calls give the same motion, bit for bit.
+/// A 4WIS base without mass: eight actuators and a body that moves as its wheels roll. By itself it stops when no
+/// command comes, and it turns its wheels at standstill before it drives in another mode. Repeatable: the same seed and
+/// the same calls give the same motion, bit for bit.
 class BaseSimulator
 {
 public:
   /// Throws std::invalid_argument naming the option, its value and the range.
   BaseSimulator(const Robot& robot, const SimulatorOptions& options);
 
-  /// Puts the robot there, at rest; wheels keep their angles, commands on their way are lost.
+  /// Places the robot at a pose, at rest. The wheels keep their angles, pending commands are lost.
   void place(const Pose& pose);
 
-  /// Takes effect `command_latency` later, but not while the base is stopping or at fault. Returns false, and ignores
-  /// it, when something in it is no number or its mode none of ours.
+  /// Gives a command, which takes effect `command_latency` later unless the base is stopping or at fault then. Returns
+  /// false and ignores it if a number is not finite or the mode is not valid.
   bool command(const WheelCommand& command);
 
-  /// Lets time pass [s], in whole time steps; what remains is kept for the next call. Throws std::invalid_argument for
-  /// time that goes backward.
+  /// Advances the time by `duration` [s], in whole time steps. The remainder is kept for the next call. Throws
+  /// std::invalid_argument for a negative duration.
   void step(double duration);
 
   double time() const { return static_cast<double>(steps_) * options_.time_step; }  ///< since the beginning [s]
@@ -44,13 +44,13 @@ public:
   /// Injects a fault; throws std::out_of_range for a wheel that does not exist.
   void inject(const WheelFault& fault);
 
-  /// Repairs all wheels; a base at fault is enabled again and waits for a new command.
+  /// Removes all faults. A base at fault is enabled again and waits for a new command.
   void clear_faults();
 
 private:
   struct Pending
   {
-    std::int64_t due;  ///< the step it takes effect in
+    std::int64_t due;  ///< the step in which it takes effect
     WheelCommand command;
   };
 
@@ -68,7 +68,7 @@ private:
   Interlock interlock_;
   std::deque<Pending> pending_;
   WheelCommand taken_;
-  PerWheel speeds_{};  ///< what the drives are told at present [m/s]
+  PerWheel speeds_{};  ///< the present targets of the drives [m/s]
   BaseState state_ = BaseState::enabled;
   std::int64_t steps_ = 0, taken_at_ = 0;
   double remainder_ = 0.0;

@@ -11,27 +11,27 @@
 namespace fourwis
 {
 
-/// A wheel that its drive turns, or one that rolls along and only keeps the body from moving sideways.
+/// Which wheels are driven. A wheel that is not driven rolls freely and only keeps the body from moving sideways.
 using DrivenWheels = std::array<bool, kWheels>;
 
-/// A body without mass on four wheels: its twist is the one that fits best, in the sense of least squares, to what the
-/// wheels do along and across their headings; it is integrated on exact arcs.
+/// A body without mass on four wheels. Its twist is the least-squares fit to the velocities of the wheels along and
+/// across their headings. The twist is integrated on exact arcs.
 class Body
 {
 public:
   /// Throws std::invalid_argument naming the option, its value and the range.
   Body(const Robot& robot, const SlipOptions& slip);
 
-  /// Puts it there, at rest.
+  /// Places the body at a pose, at rest.
   void place(const Pose& pose);
 
-  /// Moves for `duration` [s], short enough for the wheels to be constant meanwhile.
+  /// Moves for `duration` [s], in which the motion of the wheels is taken as constant.
   void step(double duration, const WheelMotion& wheels, const DrivenWheels& driven);
 
   const Pose& pose() const { return pose_; }     ///< theta is not wrapped
   const Twist& twist() const { return twist_; }  ///< in the body's frame
 
-  /// How fast a wheel with this angle rolls when it is not driven [m/s].
+  /// The rolling speed of a wheel at this angle when it is not driven [m/s].
   double rolling_speed(int wheel, double angle) const;
 
 private:

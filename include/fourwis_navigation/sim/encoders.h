@@ -10,8 +10,8 @@
 namespace fourwis
 {
 
-/// What is measured of four wheels: noise first, then steps. Repeatable: a wheel that is frozen takes its noise all the
-/// same.
+/// The measurement of four wheels: noise is added first, then the value is rounded to steps. Repeatable: a frozen wheel
+/// takes random numbers, too.
 class Encoders
 {
 public:
@@ -21,7 +21,7 @@ public:
   void measure(const WheelMotion& truth);
   const WheelMotion& measured() const { return measured_; }
 
-  /// What is measured of a wheel stays what it is.
+  /// The measurement of a wheel does not change any more.
   void freeze(int wheel) { frozen_[static_cast<std::size_t>(wheel)] = true; }
   void release_all() { frozen_ = {}; }
 

@@ -7,29 +7,30 @@
 namespace fourwis
 {
 
-/// Keeps wheels that point somewhere else from driving: a command of another mode than the one before, or with angles
-/// far from it, first waits for standstill, then turns the wheels, then waits until they are aligned, and only then
-/// lets them drive. On a bus the bridge keeps this promise, by code of its own on purpose (src/can/bridge/interlock.h): neither
-/// hides a mistake of the other. Rules and thresholds of both are those of doc/can_bridge.md.
+/// Prevents that wheels drive before they point in the commanded direction. A command of another mode, or with angles
+/// far from those of the command before, first waits for standstill, then turns the wheels, then waits until they are
+/// aligned, and only then lets them drive. For a base on a bus the bridge does the same, with separate code on purpose
+/// (src/can/bridge/interlock.h), so that a mistake in one of them is noticed. doc/can_bridge.md has the rules and
+/// thresholds of both.
 class Interlock
 {
 public:
   enum class Stage
   {
     locked,          ///< no mode: wheels stop and hold their angles
-    coming_to_rest,  ///< they do until they are at standstill
-    aligning,        ///< at rest they turn
-    released,        ///< they turn and drive
-    failed           ///< they did not come so far in time; locked until reset()
+    coming_to_rest,  ///< wheels stop and hold their angles until they are at standstill
+    aligning,        ///< wheels turn at rest
+    released,        ///< wheels turn and drive
+    failed           ///< wheels did not stop or align in time; locked until reset()
   };
 
   /// Throws std::invalid_argument naming the option, its value and the range.
   explicit Interlock(const InterlockOptions& options);
 
-  /// What the wheels are wanted to do from now on.
+  /// Sets the commanded mode and angles.
   void want(Mode mode, const PerWheel& angle);
 
-  /// Lets time pass [s] in which this was measured.
+  /// Advances the time by `duration` [s], in which `measured` was measured.
   void step(double duration, const WheelMotion& measured);
 
   /// Back to `locked`.
@@ -39,7 +40,7 @@ public:
   bool may_turn() const { return stage_ == Stage::aligning || stage_ == Stage::released; }
   bool may_drive() const { return stage_ == Stage::released; }
   bool at_standstill() const;
-  /// The wheels may turn and have stayed near the angles wanted.
+  /// Whether the wheels may turn and have been near the commanded angles for long enough.
   bool aligned() const;
 
 private:
@@ -50,7 +51,7 @@ private:
   Stage stage_ = Stage::locked;
   Mode mode_ = Mode::none;
   PerWheel angle_{}, measured_angle_{};
-  double standstill_ = 0.0, aligned_ = 0.0, waiting_ = 0.0;  ///< how long it has been so [s]
+  double standstill_ = 0.0, aligned_ = 0.0, waiting_ = 0.0;  ///< for how long each condition has been true [s]
 };
 
 }  // namespace fourwis

@@ -12,26 +12,26 @@
 namespace fourwis
 {
 
-/// The mechanics of the base: eight actuators and the body on their wheels, without any electronics. Whoever controls
-/// it sets targets and whether an axis has power.
+/// The mechanics of the base: eight actuators and the body on the wheels. The electronics that control it set the
+/// targets and switch the power of each axis.
 class Plant
 {
 public:
   /// Throws std::invalid_argument naming the option, its value and the range.
   Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOptions& slip);
 
-  /// Puts the body there, at rest; wheels keep their angles.
+  /// Places the body at a pose, at rest. The wheels keep their angles.
   void place(const Pose& pose);
 
-  /// Wheels in wheel order. Targets beyond a limit stay at the limit. [rad], [m/s]
+  /// Sets the target of a wheel, in wheel order [rad] or [m/s]. A target beyond a limit becomes the limit.
   void set_steering_target(int wheel, double angle) { at(wheel).steering.set_target(angle); }
   void set_drive_target(int wheel, double speed) { at(wheel).drive.set_target(speed); }
 
-  /// Without power a steering axis stays where it is, and a wheel rolls along.
+  /// Switches the power of an axis. Without power a steering axis keeps its angle, and a wheel rolls freely.
   void power_steering(int wheel, bool on) { at(wheel).steered = on; }
   void power_drive(int wheel, bool on) { at(wheel).driven = on; }
 
-  /// Lets a short time pass [s].
+  /// Advances the time by a short duration [s].
   void step(double duration);
 
   double angle(int wheel) const { return at(wheel).steering.value(); }  ///< [rad]
