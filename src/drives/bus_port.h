@@ -7,17 +7,16 @@
 namespace fourwis::drives
 {
 
-/// Where the controllers of several nodes share one end of a bus: what does not fit at once waits, the smallest id goes
-/// first.
+/// One end of a bus that several nodes share. Frames for which there is no room wait; the smallest id is sent first.
 class BusPort
 {
 public:
   explicit BusPort(can::Bus& bus) : bus_(bus) {}
 
-  /// Whether there was a frame. Without a bus tries to find it again.
+  /// Whether there was a frame. Without a bus it tries to open it again.
   bool receive(can::Frame& frame);
   void send(const can::Frame& frame) { waiting_.push_back(frame); }
-  /// Hands over what waits, as far as there is room; without a bus all of it is lost.
+  /// Sends the waiting frames as far as there is room. Without a bus all of them are lost.
   void flush();
 
 private:

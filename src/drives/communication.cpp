@@ -11,7 +11,7 @@ namespace
 /// NMT commands.
 constexpr std::uint8_t kStart = 1, kStop = 2, kPreOperational = 128, kResetNode = 129, kResetCommunication = 130;
 
-/// What 1029:1 does to the NMT state when the master is lost.
+/// Values of 1029:1: the change of the NMT state when the master is lost.
 constexpr int kToPreOperational = 0, kToStopped = 2;
 
 }  // namespace
@@ -71,7 +71,7 @@ void Communication::enter(NmtState state)
   transmit_pdos_.start();
 }
 
-/// Inputs are taken when SYNC comes, before outputs take effect.
+/// With a SYNC, TPDOs are sampled before RPDOs take effect.
 void Communication::receive_process_data(const can::Frame& frame)
 {
   if (frame.id == cob::kSync)
@@ -133,7 +133,7 @@ void Communication::clear()
   send_emergency(clear_errors(dictionary_, node_));
 }
 
-/// A stopped node and one that boots say nothing.
+/// A node that is stopped or boots does not send it.
 void Communication::send_emergency(const can::Frame& frame)
 {
   if (state_ == NmtState::operational || state_ == NmtState::pre_operational) send_(frame);

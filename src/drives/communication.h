@@ -9,7 +9,7 @@
 namespace fourwis::drives
 {
 
-/// What the other half of the device must know of.
+/// Events for the other half of the device.
 enum class CommunicationEvent
 {
   none,
@@ -24,16 +24,16 @@ class Communication
 public:
   Communication(ObjectDictionary& dictionary, std::uint8_t node, FrameSink send);
 
-  /// Says hello and is pre-operational from here on.
+  /// Sends the boot-up message and becomes pre-operational.
   void boot();
   CommunicationEvent receive(double now, const can::Frame& frame);
-  /// Sends the heartbeat that is due, watches the master's.
+  /// Sends the heartbeat when it is due, and watches that of the master.
   CommunicationEvent watch(double now);
   /// Sends process data that has changed.
   void publish(double now);
 
-  void raise(std::uint16_t code);  ///< an error
-  void clear();                    ///< no error any more
+  void raise(std::uint16_t code);  ///< reports an error
+  void clear();                    ///< reports that there is no error any more
 
   NmtState state() const { return state_; }
 

@@ -7,13 +7,13 @@ namespace fourwis::drives
 namespace
 {
 
-/// How much faster the drives can turn than the robot is meant to.
+/// The greatest velocity of the drives, relative to the limit of the robot.
 constexpr double kSpeedReserve = 1.2;
-/// A steering further away from its set-point than this is a following error [rad].
+/// A steering axis that is further from its set-point than this has a following error [rad].
 constexpr double kFollowingWindow = 20.0 * M_PI / 180.0;
-/// Deceleration of a quick stop until the bus sets another: steering [rad/s^2], driving [m/s^2].
+/// Deceleration of a quick stop in the delivery state: steering [rad/s^2], driving [m/s^2].
 constexpr double kSteeringStop = 30.0, kDrivingStop = 5.0;
-/// Speed for each metre that a wheel is away from the position it is asked for [1/s].
+/// Speed of a wheel per metre of distance from its target position [1/s].
 constexpr double kPositionGain = 20.0;
 
 /// Counts of the drive for each unit of an axis that a whole turn moves by `turn` [rad or m]; negative where it is

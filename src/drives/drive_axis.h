@@ -19,9 +19,9 @@ public:
   FakeDrive& drive() { return drive_; }
   const FakeDrive& drive() const { return drive_; }
 
-  /// Shows the drive what its motor has done in the step of `dt` [s] until `now`.
+  /// Gives the drive the motion of its motor in the step of `dt` [s] that ends at `now`.
   void measure(const Plant& plant, double now, double dt);
-  /// Turns the axis as the drive asks for the next `dt` [s]. `stuck`: it does not move; `dead`: it has no torque.
+  /// Moves the axis as the drive demands for the next `dt` [s]. `stuck`: it does not move; `dead`: it has no torque.
   void actuate(Plant& plant, double dt, bool stuck, bool dead);
 
 private:
@@ -33,11 +33,11 @@ private:
   int node_, wheel_;
   bool steers_;
   double counts_per_unit_;  ///< count/rad where it steers, count/m where it drives; negative where it is reversed
-  double offset_;           ///< where its count is 0 [rad or m]
+  double offset_;           ///< position at count 0 [rad or m]
   FakeDrive drive_;
   AxisMotion motor_;
   double position_ = 0.0;   ///< [rad] or rolled [m]
-  double reference_ = 0.0;  ///< angle of a steering axis that is asked for a velocity [rad]
+  double reference_ = 0.0;  ///< target angle of a steering axis; integrated if a velocity is demanded [rad]
 };
 
 }  // namespace fourwis::drives

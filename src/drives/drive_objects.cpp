@@ -137,7 +137,7 @@ void add_homing(ObjectDictionary& objects)
   for (std::uint8_t k = 1; k <= 2; ++k) objects.add({object::kHomingSpeeds, k}, setting(4, 1000, 0, kMost32));
 }
 
-/// The values that a setting knows, where these are few.
+/// The allowed values of settings that have only a few.
 const std::vector<std::int64_t>* values_known(std::uint16_t index)
 {
   using namespace mode_of_operation;

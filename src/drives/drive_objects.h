@@ -25,9 +25,9 @@ inline constexpr std::uint16_t kAbortConnection = 0x6007, kErrorCode = 0x603F, k
                                kInterpolationPeriod = 0x60C2, kTargetVelocity = 0x60FF, kSupportedModes = 0x6502;
 }  // namespace object
 
-/// How many PDOs there are of each direction, and how many objects fit into one.
+/// Number of PDOs in each direction, and of objects that can be mapped into one.
 inline constexpr int kPdos = 4, kMappedObjects = 8;
-/// How many errors 1003 remembers.
+/// Number of errors that 1003 keeps.
 inline constexpr int kErrorsKept = 4;
 /// A PDO whose COB-ID has this bit does not exist.
 inline constexpr std::uint32_t kPdoInvalid = 0x80000000;
@@ -39,7 +39,7 @@ inline constexpr int kNone = 0, kProfilePosition = 1, kProfileVelocity = 3, kHom
                      kCyclicVelocity = 9;
 }
 
-/// All objects of a drive as they are when power comes on: RPDO1 the controlword, TPDO1 the statusword, the others off.
+/// All objects of a drive at power-on: RPDO1 is mapped to the controlword, TPDO1 to the statusword, the others are off.
 ObjectDictionary drive_objects(const DriveOptions& options);
 
 }  // namespace fourwis::drives

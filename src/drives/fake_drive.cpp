@@ -81,7 +81,7 @@ private:
     }
   }
 
-  /// The objects from `first` to `last` are as delivered, and the node boots.
+  /// Sets the objects from `first` to `last` to the delivery state, and boots the node.
   void restart(double now, std::uint16_t first, std::uint16_t last)
   {
     dictionary_.restore(drive_objects(options_), first, last);
@@ -105,7 +105,7 @@ private:
       for (std::uint8_t k = 1; k <= kErrorsKept; ++k) dictionary_.set({object::kErrorHistory, k}, 0);
   }
 
-  /// The controlword resets faults and there is none any more, but an error is still on record.
+  /// Whether the controlword resets faults, no fault is left, and an error is still recorded.
   bool is_reset() const
   {
     const bool asked = (dictionary_.get(object::kControlword) & 0x80) != 0;

@@ -17,7 +17,7 @@ namespace fourwis::drives
 namespace
 {
 
-/// Faults of the bus rather than of a node.
+/// Whether it is a fault of the bus, not of a node.
 bool is_of_the_bus(DriveFaultKind kind)
 {
   return kind == DriveFaultKind::flood || kind == DriveFaultKind::error_passive || kind == DriveFaultKind::bus_off;
@@ -78,7 +78,7 @@ public:
   void clear_faults() { faults_.clear(); }
 
 private:
-  /// Those that happen once, in the drives themselves.
+  /// Begins the faults that happen once within a drive.
   void begin_faults()
   {
     faults_.for_each_active([this](const DriveFault& fault, bool begins) {
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  /// The drives hear who shares their end of the bus, too.
+  /// The drives also receive frames of nodes that share their end of the bus.
   void intrude(const can::Frame& frame)
   {
     port_.send(frame);

@@ -7,14 +7,14 @@
 namespace fourwis::drives
 {
 
-/// Faults and when they are.
+/// Faults with their times.
 class FaultSchedule
 {
 public:
   void add(const DriveFault& fault) { entries_.push_back({fault, Stage::to_come}); }
   void clear() { entries_.clear(); }
 
-  /// Time goes on [s]. What should have begun earlier begins now.
+  /// Advances the time [s]. A fault whose beginning has passed begins now.
   void advance(double now)
   {
     for (Entry& entry : entries_)
@@ -27,7 +27,7 @@ public:
     }
   }
 
-  /// The fault of this kind at this node that there is now; null where there is none.
+  /// The active fault of this kind at this node; null if there is none.
   const DriveFault* active(DriveFaultKind kind, int node) const
   {
     for (const Entry& entry : entries_)
@@ -35,7 +35,7 @@ public:
     return nullptr;
   }
 
-  /// act(fault, whether it begins with this step)
+  /// Calls act(fault, begins) for each active fault; `begins`: it begins with this step.
   template <class Function>
   void for_each_active(Function&& act) const
   {

@@ -8,10 +8,10 @@
 namespace fourwis::drives
 {
 
-/// Where a slave puts what it sends.
+/// Takes the frames that a slave sends.
 using FrameSink = std::function<void(const can::Frame&)>;
 
-/// Function codes of CiA 301: the COB-ID is this + the node id.
+/// Function codes of CiA 301: the COB-ID is the function code + the node id.
 namespace cob
 {
 inline constexpr std::uint32_t kNmt = 0x000, kSync = 0x080, kEmergency = 0x080, kSdoReply = 0x580, kSdoRequest = 0x600,
@@ -40,7 +40,7 @@ inline can::Frame data_frame(std::uint32_t id, std::uint8_t size)
   return frame;
 }
 
-/// Whether it is what CANopen speaks: a data frame of 11 bits with a size that can be.
+/// Whether it is a frame of CANopen: a data frame with an id of 11 bits and at most 8 bytes.
 inline bool is_plain(const can::Frame& frame)
 {
   return !frame.extended && !frame.remote && !frame.error && frame.size <= 8;

@@ -5,14 +5,14 @@
 namespace fourwis::drives
 {
 
-/// Rounding of times that are sums of many steps [s].
+/// Rounding error of times that are sums of many steps [s].
 inline constexpr double kTimeRounding = 1e-9;
 
-/// Says when a heartbeat is due.
+/// Decides when a heartbeat is due.
 class HeartbeatProducer
 {
 public:
-  /// `period` [ms], 0: never. A new period counts from now on.
+  /// `period` [ms]; 0: never. A new period begins now.
   bool is_due(double now, std::int64_t period)
   {
     if (period != period_) last_ = now;
@@ -27,11 +27,11 @@ private:
   double last_ = 0.0;
 };
 
-/// Watches another node's heartbeat, from the first one on that it hears.
+/// Watches the heartbeat of another node, after it has received the first one.
 class HeartbeatConsumer
 {
 public:
-  /// 1016:1 = node << 16 | ms, 0 for either: nobody. A new one begins anew.
+  /// 1016:1 = node << 16 | ms. 0 for one of them: no node is watched. Another value starts anew.
   void configure(std::int64_t setting)
   {
     if (setting == setting_) return;
@@ -47,9 +47,9 @@ public:
     last_ = now;
   }
 
-  double silence(double now) const { return now - last_; }  ///< since it was last heard [s]
+  double silence(double now) const { return now - last_; }  ///< time since the last heartbeat [s]
 
-  /// Once for each time it falls silent.
+  /// True once each time that the heartbeat is lost.
   bool has_lost(double now)
   {
     if (!watching_ || now - last_ < static_cast<double>(setting_ & 0xFFFF) * 1e-3 - kTimeRounding) return false;

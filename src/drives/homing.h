@@ -8,15 +8,15 @@
 namespace fourwis::drives
 {
 
-/// Homing mode with methods that do not move: 35 and 37, and 34 with the index pulse right where the motor stands. The
-/// position now counts as the home offset 607C.
+/// Homing mode with methods that do not move: 35 and 37, and 34 with the index pulse at the motor's present position.
+/// The present position becomes the home offset 607C.
 class Homing
 {
 public:
   explicit Homing(const ObjectDictionary& dictionary) : dictionary_(dictionary) {}
 
-  /// Bit 4 rising starts it. The position [count] that the motor's own becomes; nothing where homing does not
-  /// start or knows no method.
+  /// A rising bit 4 starts it. Returns the new value of the motor's present position [count]; nothing if homing does
+  /// not start or the method is unknown.
   std::optional<double> command(std::uint16_t controlword, std::uint16_t previous)
   {
     if ((controlword & ~previous & 0x10) == 0) return std::nullopt;

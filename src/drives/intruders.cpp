@@ -12,7 +12,7 @@ constexpr double kPeriod = 0.01, kRounding = 1e-9;
 constexpr std::uint32_t kErrorController = 0x04, kErrorBusOff = 0x40;
 constexpr std::uint8_t kPassiveBoth = 0x30, kPassiveCount = 128;
 
-/// A controlword that enables, cyclic synchronous velocity whatever the axis, and a target.
+/// A command: a controlword that enables, the mode cyclic synchronous velocity for any axis, and a target.
 can::Frame foreign_command(const DriveFault& fault)
 {
   can::Frame frame = data_frame(cob::kFirstReceivePdo + static_cast<std::uint32_t>(fault.node), 7);
@@ -27,7 +27,7 @@ can::Frame boot_up(const DriveFault& fault)
   return data_frame(cob::kHeartbeat + static_cast<std::uint32_t>(fault.node), 1);
 }
 
-/// As a node that nobody has enabled.
+/// The status of a node that is not enabled.
 can::Frame idle_status(const DriveFault& fault)
 {
   can::Frame frame = data_frame(cob::kFirstTransmitPdo + static_cast<std::uint32_t>(fault.node), 3);

@@ -6,15 +6,15 @@
 namespace fourwis::drives
 {
 
-/// Others on the bus who send what they should not: a foreign master, a second node of the same id, somebody who floods
-/// it, controllers that complain. Times in s.
+/// Other nodes on the bus that disturb the drives: another master, a second node of the same id, a node that floods the
+/// bus, controllers that report errors. Times in s.
 class Intruders
 {
 public:
-  /// `bit_rate` [bit/s]: what a flood fills.
+  /// `bit_rate` [bit/s] of the bus, which a flood fills.
   Intruders(const FaultSchedule& faults, double bit_rate) : faults_(faults), bit_rate_(bit_rate) {}
 
-  /// Sends what they send in a step of `dt` that ends at `now`.
+  /// Sends their frames of a step of `dt` that ends at `now`.
   void step(double now, double dt, const FrameSink& send);
 
 private:
@@ -22,8 +22,8 @@ private:
 
   const FaultSchedule& faults_;
   double bit_rate_;
-  double cycle_ = 0.0;      ///< when those who send at 100 Hz have last sent
-  double bits_left_ = 0.0;  ///< of what the bus has carried, not yet filled
+  double cycle_ = 0.0;      ///< when the last cycle at 100 Hz began
+  double bits_left_ = 0.0;  ///< bits of time on the bus that the flood has not filled yet
 };
 
 }  // namespace fourwis::drives

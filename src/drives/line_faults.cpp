@@ -8,7 +8,7 @@ namespace fourwis::drives
 namespace
 {
 
-/// Whether the frame is of this function code and node.
+/// Whether the frame has this function code and node.
 bool is(const can::Frame& frame, std::uint32_t function, int node)
 {
   return is_plain(frame) && frame.id == function + static_cast<std::uint32_t>(node);

@@ -9,17 +9,17 @@
 namespace fourwis::drives
 {
 
-/// What faults make of the frames between a drive that works and the bus.
+/// The effect of faults on the frames between a working drive and the bus.
 class LineFaults
 {
 public:
   explicit LineFaults(const FaultSchedule& faults) : faults_(faults) {}
 
-  /// Whether the node gets to see a frame of the bus.
+  /// Whether the node receives a frame of the bus.
   bool hears(int node, const can::Frame& frame) const;
-  /// What answers in place of a node that refuses every request.
+  /// The answer in place of a node that refuses every request.
   std::optional<can::Frame> refusal(int node, const can::Frame& frame) const;
-  /// What becomes of a frame that the node sends.
+  /// The frame that reaches the bus when the node sends one; nothing if it is lost.
   std::optional<can::Frame> passes(int node, can::Frame frame);
 
 private:

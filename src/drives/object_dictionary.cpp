@@ -10,7 +10,7 @@ bool is_writable(const Object& object)
   return object.use == ObjectUse::setting || object.use == ObjectUse::command;
 }
 
-/// The number that the bytes stand for: two's complement where the object is signed.
+/// The number that the bytes mean, in two's complement if the object is signed.
 std::int64_t value_of(const Object& object, std::uint32_t bytes)
 {
   const int unused = 64 - 8 * object.size;

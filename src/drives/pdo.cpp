@@ -93,7 +93,7 @@ void ReceivePdos::sync()
 void ReceivePdos::apply(int pdo, const can::Frame& frame)
 {
   const Mapping mapping(dictionary_, static_cast<std::uint16_t>(object::kReceiveMapping + pdo));
-  if (frame.size < mapping.size()) return;  // mapped anew since it came
+  if (frame.size < mapping.size()) return;  // the mapping has changed since the frame came
   std::size_t at = 0;
   for (const Mapped& mapped : mapping)
   {

@@ -11,7 +11,7 @@
 namespace fourwis::drives
 {
 
-/// Takes process data from the bus into the objects it is mapped to.
+/// Writes received process data into the objects to which it is mapped.
 class ReceivePdos
 {
 public:
@@ -20,12 +20,12 @@ public:
   enum class Outcome
   {
     not_ours,
-    taken,     ///< at once, or at the next SYNC
-    too_short  ///< fewer bytes than are mapped; more than that do no harm
+    taken,     ///< written at once, or with the next SYNC
+    too_short  ///< fewer bytes than are mapped; more bytes are allowed
   };
   Outcome receive(const can::Frame& frame);
 
-  /// Puts into effect what came since the last SYNC.
+  /// Writes the data that came since the last SYNC.
   void sync();
   void forget() { waiting_ = {}; }
 
@@ -36,17 +36,17 @@ private:
   std::array<std::optional<can::Frame>, kPdos> waiting_;
 };
 
-/// Sends the objects mapped, with SYNC or when they have changed. Times in s.
+/// Sends the mapped objects, with SYNC or when they have changed. Times in s.
 class TransmitPdos
 {
 public:
   explicit TransmitPdos(const ObjectDictionary& dictionary) : dictionary_(dictionary) {}
 
-  /// Everything counts as new: the node has become operational.
+  /// The node has become operational: all data counts as new.
   void start();
-  /// With every n-th SYNC, where the transmission type is n.
+  /// Sends with every n-th SYNC if the transmission type is n.
   void sync(const FrameSink& send);
-  /// What goes by event: on change, no more often than the inhibit time, no less often than the event timer.
+  /// Sends event-driven PDOs: on change, at intervals of at least the inhibit time and at most the event timer.
   void poll(double now, const FrameSink& send);
 
 private:

@@ -19,7 +19,7 @@ bool exists(const ObjectDictionary& dictionary, std::uint16_t parameters)
   return (dictionary.get(parameters, 1) & kPdoInvalid) == 0;
 }
 
-/// What CiA 301 keeps for other services.
+/// Whether CiA 301 reserves the identifier for other services.
 bool is_restricted(std::uint32_t id)
 {
   return id <= 0x07F || (id >= 0x101 && id <= 0x180) || (id >= 0x581 && id <= 0x5FF) || (id >= 0x601 && id <= 0x67F) ||
@@ -33,7 +33,7 @@ AbortCode cob_refusal(const ObjectDictionary& dictionary, std::uint16_t paramete
   return other_id && exists(dictionary, parameters) ? AbortCode::invalid_value : AbortCode::none;
 }
 
-/// With every SYNC or every n-th, or when there is something new; not on request, not acyclic with SYNC.
+/// Allowed transmission types: with every n-th SYNC, or event-driven; not on request, not acyclic with SYNC.
 AbortCode type_refusal(std::int64_t type)
 {
   return (type >= 1 && type <= 240) || type >= 254 ? AbortCode::none : AbortCode::invalid_value;
@@ -46,7 +46,7 @@ AbortCode parameter_refusal(const ObjectDictionary& dictionary, ObjectAddress ad
   return address.sub == 3 && exists(dictionary, address.index) ? AbortCode::unsupported_access : AbortCode::none;
 }
 
-/// Of one mapped object: index << 16 | sub-index << 8 | bits.
+/// A mapping of one object: index << 16 | sub-index << 8 | bits.
 AbortCode entry_refusal(const ObjectDictionary& dictionary, std::uint32_t entry, ObjectUse direction)
 {
   const ObjectAddress mapped = {static_cast<std::uint16_t>(entry >> 16), static_cast<std::uint8_t>(entry >> 8)};

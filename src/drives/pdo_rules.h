@@ -5,9 +5,9 @@
 namespace fourwis::drives
 {
 
-/// CiA 301's rules for writing 14xx, 16xx, 18xx and 1Axx: a COB-ID changes only while bit 31 takes the PDO away, a
-/// mapping only then and while its sub-index 0 is zero, and what sub-index 0 then counts must exist, be mappable in
-/// this direction, have the length it says, and fit into eight bytes.
+/// The rules of CiA 301 for writing 14xx, 16xx, 18xx and 1Axx. A COB-ID can change only while bit 31 disables the PDO.
+/// A mapping can change only then and while its sub-index 0 is zero. When sub-index 0 is set, the mapped objects must
+/// exist, be mappable in this direction, have the given length, and fit into eight bytes.
 AbortCode pdo_refusal(const ObjectDictionary& dictionary, ObjectAddress address, std::int64_t value);
 
 }  // namespace fourwis::drives

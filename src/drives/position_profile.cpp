@@ -11,8 +11,8 @@ namespace
 
 constexpr std::uint16_t kNewSetpoint = 0x10, kImmediately = 0x20, kRelative = 0x40;
 
-/// The fastest from which `deceleration` in steps of dt comes to rest within `distance`: v^2 / (2 a) + v dt / 2 =
-/// distance.
+/// The greatest speed from which `deceleration` in steps of dt comes to rest within `distance`:
+/// v^2 / (2 a) + v dt / 2 = distance.
 double braking_speed(double distance, double deceleration, double dt)
 {
   const double step = 0.5 * deceleration * dt;

@@ -8,10 +8,10 @@
 namespace fourwis::drives
 {
 
-/// Value nearer to `target` by at most `step`.
+/// `value`, moved towards `target` by at most `step`.
 double approach(double value, double target, double step);
 
-/// A position and its speed that change as a drive wants its motor to. Counts and s.
+/// The position and velocity that a drive demands of its motor. Counts and s.
 struct Setpoint
 {
   double position = 0.0, velocity = 0.0;
@@ -23,16 +23,17 @@ struct Setpoint
   }
 };
 
-/// Profile position mode: set-points handed over with bit 4 of the controlword, and a trapezoid towards them.
+/// Profile position mode: set-points are handed over with bit 4 of the controlword and reached with a trapezoidal
+/// profile.
 class PositionProfile
 {
 public:
   explicit PositionProfile(const ObjectDictionary& dictionary) : dictionary_(dictionary) {}
 
-  /// Forgets what it was about; stays where it is.
+  /// Drops all set-points. The position stays.
   void reset(double position);
 
-  /// Bit 4 rising hands over a set-point, bit 5 at once instead of after the one before, bit 6 relative.
+  /// A rising bit 4 hands over a set-point. Bit 5: it replaces the present one at once; bit 6: it is relative.
   void command(std::uint16_t controlword, std::uint16_t previous);
 
   /// One step towards the target, within `low`..`high`.
@@ -48,7 +49,7 @@ private:
   const ObjectDictionary& dictionary_;
   double target_ = 0.0;
   std::optional<double> next_;  ///< waits until the target is reached
-  bool handed_over_ = false;    ///< bit 4 as it stands
+  bool handed_over_ = false;    ///< the present bit 4
   bool acknowledge_ = false, reached_ = false, limited_ = false;
 };
 

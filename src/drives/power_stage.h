@@ -10,31 +10,31 @@
 namespace fourwis::drives
 {
 
-/// The CiA 402 half of a drive: power states, modes of operation, what the motor is asked for. Reads its settings in
-/// the dictionary and writes what it measures there.
+/// The CiA 402 half of a drive: power states, modes of operation, demands for the motor. It reads its settings from the
+/// dictionary and writes its measurements into it.
 class PowerStage
 {
 public:
   PowerStage(ObjectDictionary& dictionary, double max_velocity);
 
-  /// The self-test is over.
+  /// To be called when the self-test is over.
   void become_ready();
-  /// The bus has written an object.
+  /// To be called when an object was written over the bus.
   void written(ObjectAddress address);
-  /// The bus or the master is lost: what 6007 says.
+  /// The bus or the master is lost: reacts as 6007 says.
   void lose_connection();
   /// Transition 13.
   void fail();
-  /// The encoder counts differently from here on [count].
+  /// Shifts the measured position from now on [count].
   void shift_encoder(double counts) { shift_ += counts; }
   void set_warning(bool warning) { warning_ = warning; }
 
-  /// Time passes [s] while the motor does that. Whether the following error has lasted too long.
+  /// Advances the time [s] with this motion of the motor. Returns whether the following error has lasted too long.
   bool advance(double dt, const AxisMotion& motor);
 
   PowerState state() const { return state_; }
   AxisDemand demand() const;  ///< in the motor's own counts
-  void publish();             ///< statusword, mode and what is measured into their objects
+  void publish();             ///< writes statusword, mode and measurements into their objects
 
 private:
   int mode() const { return static_cast<int>(dictionary_.get(object::kModeDisplay)); }

@@ -26,7 +26,7 @@ can::Frame reply_to(const can::Frame& request, std::uint8_t node, std::uint8_t c
   return reply;
 }
 
-/// Bytes that an expedited download carries: 4 - n where the bit s says that n counts, otherwise what the object takes.
+/// Number of bytes of an expedited download: 4 - n if the bit s is set, otherwise the size of the object.
 std::uint8_t size_of(const can::Frame& request, const Object* object)
 {
   const std::uint8_t command = request.data[0];

@@ -9,8 +9,8 @@
 namespace fourwis::drives
 {
 
-/// Does what an expedited SDO request to `node` asks for, and gives the reply (CiA 301, 7.2.4). Nothing for a frame
-/// that is not eight bytes long and for the client's own abort. Segmented transfers are refused.
+/// Carries out an expedited SDO request to `node` and returns the reply (CiA 301, 7.2.4). Returns nothing for a frame
+/// that is not eight bytes long and for an abort of the client. Segmented transfers are refused.
 std::optional<can::Frame> answer_sdo(ObjectDictionary& dictionary, std::uint8_t node, const can::Frame& request);
 
 /// The reply that refuses `request`.

@@ -12,7 +12,7 @@ namespace
 using namespace mode_of_operation;
 
 constexpr std::uint16_t kTargetReached = 1 << 10, kInternalLimit = 1 << 11, kModeBit12 = 1 << 12;
-/// A profile velocity is reached, and a motor stands, within this part of the fastest.
+/// Tolerance for a profile velocity that is reached and for a motor that stands, as a share of the greatest velocity.
 constexpr double kVelocityWindow = 1e-3;
 
 /// 60C2: sub-index 1 times ten to the power of sub-index 2 [s].
@@ -73,7 +73,7 @@ void SetpointGenerator::follow(double dt)
   }
 }
 
-/// Straight towards the target, to be there one interpolation period after it was written.
+/// Moves at constant velocity to reach the target one interpolation period after it was written.
 void SetpointGenerator::follow_cyclic_position(double dt)
 {
   const Range limits = soft_limits(dictionary_);

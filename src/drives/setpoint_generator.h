@@ -8,7 +8,7 @@
 namespace fourwis::drives
 {
 
-/// What a drive asks of its motor while power is on, after the mode of operation. Counts and s.
+/// The demands of a drive for its motor while power is on, by the mode of operation. Counts and s.
 class SetpointGenerator
 {
 public:
@@ -18,18 +18,18 @@ public:
       profile_(dictionary)
   {}
 
-  /// Starts from where the motor is: power comes on, the mode changes or the counts are shifted. In the cyclic modes
-  /// the target that stands in the objects counts from here on, whenever it was written.
+  /// Starts at the position of the motor: power is switched on, the mode changes or the counts are shifted. In the
+  /// cyclic modes the target in the objects is followed from now on, even if it was written before.
   void start(const AxisMotion& measured);
 
-  /// A new controlword, for profile position.
+  /// A new controlword has been written, for profile position.
   void command(std::uint16_t controlword, std::uint16_t previous) { profile_.command(controlword, previous); }
   /// A cyclic target position has been written.
   void target_written();
 
-  /// One step of mode 6061.
+  /// One step in mode 6061.
   void follow(double dt);
-  /// One step towards rest instead.
+  /// One step of braking instead.
   void brake(double deceleration, double dt);
   /// The braking has ended.
   bool at_rest() const { return setpoint_.velocity == 0.0; }

@@ -9,17 +9,17 @@
 namespace fourwis::drives
 {
 
-/// The base of eight drives behind a bus that others open as well, living in the time of whoever steps it.
+/// The base of eight drives at one end of a bus that other processes open as well. The caller advances its time.
 class BusBase
 {
 public:
-  /// Of `bus` see can::open_bus(): one that is not there yet, or goes, is looked for at every step. Throws
-  /// std::invalid_argument naming the option, its value and the range.
+  /// `bus` is the name for can::open_bus(). A bus that does not exist yet, or is gone, is looked for at every step.
+  /// Throws std::invalid_argument naming the option, its value and the range.
   BusBase(const std::string& bus, const Robot& robot, const can::BridgeOptions& bridge,
           const SimulatorOptions& simulator);
 
-  /// Lets the drives live until `now` [s] of a clock that never goes back; the first call only sets it. More than
-  /// kMostCaughtUp is left out: drives whose computer was busy have not been left alone by their master.
+  /// Advances the drives to `now` [s] of a clock that never goes back. The first call only sets the time. More than
+  /// kMostCaughtUp at once is left out: otherwise a delay of this process would count as silence of the master.
   void advance(double now);
 
   FakeDrives& drives() { return drives_; }

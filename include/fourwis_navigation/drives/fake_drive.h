@@ -14,31 +14,31 @@
 namespace fourwis::drives
 {
 
-/// A servo drive after CiA 301 and CiA 402: frames in, what it asks of its motor and frames out. As a real one it does
-/// what it is told: a target left over from earlier moves the motor as soon as it is enabled. Times in s, never going
-/// back. Not simulated: segmented SDO, RTR, SYNC counters, homing by switches, a memory for settings.
+/// A simulated servo drive after CiA 301 and CiA 402. It receives frames, and gives frames and demands for its motor.
+/// Like a real drive it follows an old target as soon as it is enabled. Times are in s and never decrease. Not
+/// simulated: segmented SDO, RTR, SYNC counters, homing by switches, a memory for settings.
 class FakeDrive
 {
 public:
-  /// Boots from 0 on.
+  /// It begins to boot at time 0.
   explicit FakeDrive(const DriveOptions& options);
   ~FakeDrive();
   FakeDrive(FakeDrive&&) noexcept;
   FakeDrive& operator=(FakeDrive&&) noexcept;
 
   void receive(double now, const can::Frame& frame);
-  /// Lets time pass until `now`; `motor` is what the motor does then.
+  /// Advances the time to `now`; `motor` is the motion of the motor at that time.
   void advance(double now, const AxisMotion& motor);
 
   AxisDemand demand() const;
-  /// What was sent since the last call, oldest first.
+  /// The frames that were sent since the last call, oldest first.
   std::vector<can::Frame> take_sent();
 
-  // What can go wrong with it.
-  void reboot(double now);            ///< as if power had gone and come: nothing that was written remains
+  // Faults.
+  void reboot(double now);            ///< power off and on: all settings are those of the delivery state
   void fail(std::uint16_t code);      ///< fault reaction, then fault, with an emergency
-  void warn(std::uint16_t code);      ///< emergency and warning bit, works on; until the next fault reset or reboot
-  void shift_encoder(double counts);  ///< counts differently from here on
+  void warn(std::uint16_t code);      ///< emergency and warning bit until the next fault reset or reboot; it works on
+  void shift_encoder(double counts);  ///< the measured position is shifted from now on
 
   NmtState nmt_state() const;
   PowerState power_state() const;

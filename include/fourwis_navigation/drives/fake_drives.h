@@ -16,24 +16,23 @@
 namespace fourwis::drives
 {
 
-/// A base without mass whose wheels are turned by eight CiA 402 drives at one end of a CAN bus: frames in, motion,
-/// frames out. The same mechanics as BaseSimulator's, without its electronics: what the base is to do by itself is the
-/// master's business. Repeatable: the same frames at the same steps give the same frames and the same motion, bit for
-/// bit.
+/// A base without mass whose wheels are turned by eight CiA 402 drives at one end of a CAN bus. It has the mechanics of
+/// BaseSimulator without its electronics: the master on the bus has to do what that base does by itself. Repeatable:
+/// the same frames at the same steps give the same frames and the same motion, bit for bit.
 class FakeDrives
 {
 public:
-  /// Of `bridge` what the drives are: nodes, counts, wheel radius, identity, bit rate. The bus must outlive this.
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// `bridge` describes the drives: nodes, counts, wheel radius, identity, bit rate; its other options are ignored. The
+  /// bus must outlive this. Throws std::invalid_argument naming the option, its value and the range.
   FakeDrives(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator);
   ~FakeDrives();
 
-  /// Puts the robot there, at rest; wheels keep their angles.
+  /// Places the robot at a pose, at rest. The wheels keep their angles.
   void place(const Pose& pose);
 
-  /// One time step: what has come is obeyed, everything moves, what the drives say is sent.
+  /// One time step: received frames are obeyed, the base moves, the frames of the drives are sent.
   void step();
-  /// As many of them as there are in `duration` [s]; what remains is kept for the next call.
+  /// As many time steps as there are in `duration` [s]. The remainder is kept for the next call.
   void advance(double duration);
 
   double time() const;         ///< since the beginning, of the drives' clock [s]
@@ -41,12 +40,12 @@ public:
   const Twist& twist() const;  ///< how it really moves, in its own frame
   WheelMotion truth() const;   ///< what the wheels really do
 
-  /// The drive with this node id. Throws std::out_of_range where there is none.
+  /// The drive with this node id. Throws std::out_of_range if there is none.
   const FakeDrive& drive(int node) const;
 
-  /// From `fault.begin` on. Throws std::out_of_range for a node that does not exist, where it matters.
+  /// Injects a fault from `fault.begin` on. Throws std::out_of_range for a fault of a node that does not exist.
   void inject(const DriveFault& fault);
-  /// Takes all of them back; what a drive has done because of them remains.
+  /// Ends all faults. The states that drives have reached because of them remain.
   void clear_faults();
 
 private:

@@ -5,7 +5,7 @@
 namespace fourwis::drives
 {
 
-/// The states of a CANopen node, as its heartbeat says them.
+/// The states of a CANopen node, with the numbers in its heartbeat.
 enum class NmtState : std::uint8_t
 {
   initialising = 0,

@@ -9,7 +9,7 @@
 namespace fourwis::drives
 {
 
-/// Why an SDO transfer is refused (CiA 301, 7.2.4.3.17). Any other number that a fault makes up is as good.
+/// Why an SDO transfer is refused (CiA 301, 7.2.4.3.17). A fault may use any other number.
 enum class AbortCode : std::uint32_t
 {
   none = 0,
@@ -43,7 +43,7 @@ struct ObjectAddress
   friend bool operator==(ObjectAddress a, ObjectAddress b) { return a.index == b.index && a.sub == b.sub; }
 };
 
-/// What the bus may do with an object.
+/// The access to an object from the bus.
 enum class ObjectUse
 {
   constant,  ///< read
@@ -52,42 +52,42 @@ enum class ObjectUse
   command    ///< read and written, mapped into an RPDO
 };
 
-/// One number of a device.
+/// One number in a device.
 struct Object
 {
   std::uint8_t size = 4;  ///< [byte], 1, 2 or 4
   ObjectUse use = ObjectUse::constant;
   std::int64_t value = 0;
-  std::int64_t low = 0, high = 0xFFFFFFFF;  ///< what may be written; below zero: the number is signed
+  std::int64_t low = 0, high = 0xFFFFFFFF;  ///< the values that may be written; a negative `low` means a signed number
 };
 
-/// Everything of a device that can be read and written over the bus, as numbers of up to four bytes.
+/// All objects of a device that can be read and written over the bus, as numbers of up to four bytes.
 class ObjectDictionary
 {
 public:
-  /// A reason to refuse a value that is in range; `none` where there is none.
+  /// A further check of a value that is in range: why it is refused, or `none`.
   using Rule = std::function<AbortCode(const ObjectDictionary&, ObjectAddress, std::int64_t value)>;
   using Listener = std::function<void(ObjectAddress)>;
 
   void add(ObjectAddress address, const Object& object) { objects_[address] = object; }
   void add_rule(Rule rule) { rules_.push_back(std::move(rule)); }
-  /// Is told of what the bus has written.
+  /// Called after an object was written over the bus.
   void listen(Listener listener) { listener_ = std::move(listener); }
 
-  /// Null where there is none.
+  /// The object, or null if it does not exist.
   const Object* find(ObjectAddress address) const;
-  /// Whether there is one, else which of the two is missing.
+  /// `none` if the object exists, otherwise whether the index or the sub-index is missing.
   AbortCode existence(ObjectAddress address) const;
 
-  /// As the bus writes it: `size` bytes, least significant first in `bytes`. A refused value changes nothing.
+  /// Writes an object from the bus: `size` bytes, least significant first in `bytes`. A refused value changes nothing.
   AbortCode write(ObjectAddress address, std::uint8_t size, std::uint32_t bytes);
 
-  /// As the device itself sees it. Throws std::out_of_range where there is no such object.
+  /// Access of the device itself. Throws std::out_of_range if the object does not exist.
   std::int64_t get(std::uint16_t index, std::uint8_t sub = 0) const { return objects_.at({index, sub}).value; }
   void set(ObjectAddress address, std::int64_t value) { objects_.at(address).value = value; }
   void set(std::uint16_t index, std::int64_t value) { set({index, 0}, value); }
 
-  /// Takes over the values of all objects from `first` to `last`.
+  /// Copies the values of all objects from index `first` to `last`.
   void restore(const ObjectDictionary& from, std::uint16_t first, std::uint16_t last);
 
 private:

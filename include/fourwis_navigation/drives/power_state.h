@@ -18,9 +18,9 @@ enum class PowerState
   fault
 };
 
-/// Where a written controlword leads (CiA 402-2, transitions 2 to 12, 15 and 16). Bit 7 rising resets a fault; while it
-/// is set the word commands nothing else. Transition 16 exists only where the quick stop ends in holding
-/// (`holds_after_quick_stop`).
+/// The next state after a controlword was written (CiA 402-2, transitions 2 to 12, 15 and 16). A rising bit 7 resets a
+/// fault. While bit 7 is set, the word commands nothing else. Transition 16 exists only if the quick stop ends in
+/// holding (`holds_after_quick_stop`).
 PowerState next_power_state(PowerState state, std::uint16_t controlword, bool fault_reset, bool holds_after_quick_stop);
 
 /// Bits 0 to 6 of the statusword, voltage always present.
