@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fourwis_navigation/vehicle/mode_traits.h"
 #include "ipopt_solver.h"
 #include "motion_limits.h"
 #include "paper_problem.h"
@@ -34,7 +35,7 @@ bool fits(const Segment& segment, const BoxCorridor& boxes, const Trajectory* pr
 {
   const std::size_t n = segment.intervals();
   return n > 0 && segment.knots.size() == n + 1 && segment.length.size() == n && boxes.front.size() == n + 1 &&
-         boxes.rear.size() == n + 1 && (!previous || previous->size() == n + 1) && is_planned(segment.mode);
+         boxes.rear.size() == n + 1 && (!previous || previous->size() == n + 1) && traits_of(segment.mode).translates;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ public:
   void work()
   {
     note(++working_);
-    for (int k = 0; k < 200; ++k)
+    for (int k = 0; k < 3; ++k)
     {
       std::this_thread::yield();
       note(working_);
@@ -56,7 +56,7 @@ TEST(ThreadBudgetTest, CallsEachIndexOnce)
 TEST(ThreadBudgetTest, NeverHasMoreThreadsAtWorkThanItsNumberHoweverDeepLoopsAreNested)
 {
   for (int threads : {1, 2, 3, 8})
-    for (int repetition = 0; repetition < 10; ++repetition)
+    for (int repetition = 0; repetition < 5; ++repetition)
     {
       ThreadBudget budget(threads);
       Census census;
@@ -106,7 +106,7 @@ TEST(ThreadBudgetTest, GivesAnInnerLoopTheThreadsThatTheOuterDoesNotNeed)
 TEST(ThreadBudgetTest, GivesAnInnerLoopTheThreadThatIsDoneWithTheOuterOrWaitsForIt)
 {
   ThreadBudget budget(2);
-  for (int repetition = 0; repetition < 20; ++repetition)
+  for (int repetition = 0; repetition < 5; ++repetition)
   {
     std::atomic<int> outer{0};
     Census census;
@@ -151,7 +151,7 @@ std::string thrown(ThreadBudget& budget, std::size_t count, const std::set<std::
 TEST(ThreadBudgetTest, ThrowsWhatAPlainLoopWouldThrow)
 {
   for (int threads : {1, 2, 8})
-    for (int repetition = 0; repetition < 50; ++repetition)
+    for (int repetition = 0; repetition < 20; ++repetition)
     {
       ThreadBudget budget(threads);
       std::atomic<int> calls{0};
