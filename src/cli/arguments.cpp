@@ -9,6 +9,7 @@
 #include <boost/program_options.hpp>
 
 #include "fourwis_navigation/model/sentence.h"
+#include "fourwis_navigation/parameters/documentation.h"
 
 namespace po = boost::program_options;
 
@@ -99,8 +100,9 @@ po::options_description known_options()
 {
   const auto value = [](const char* name) { return po::value<std::string>()->value_name(name); };
   po::options_description options("Options");
-  options.add_options()("help,h", "print this text")("map", value("FILE"),
-                                                     "map in map_server's format: YAML beside a PGM or PNG image")(
+  options.add_options()("help,h", "print this text")(
+      "list-parameters", "print key, default, range and unit of every parameter of every configuration file")(
+      "map", value("FILE"), "map in map_server's format: YAML beside a PGM or PNG image")(
       "octomap", value("FILE"), "3D map (.bt or .ot) instead of --map")(
       "height-min", value("Z"), "lowest height of the 3D map that matters [m], default 0.1")(
       "height-max", value("Z"), "greatest height of the 3D map that matters [m], default 1.0")(
@@ -205,12 +207,10 @@ PlanArguments parse_arguments(int argc, const char* const* argv)
   try
   {
     const po::variables_map given = read(argc, argv, options);
-    if (given.count("help") > 0)
-    {
-      PlanArguments arguments;
-      arguments.help = help_text(options);
-      return arguments;
-    }
+    PlanArguments printed;
+    if (given.count("help") > 0) printed.text = help_text(options);
+    if (given.count("list-parameters") > 0) printed.text += parameter_documentation();
+    if (!printed.text.empty()) return printed;
     check_combination(given);
     return arguments_in(given);
   }

@@ -13,7 +13,7 @@ namespace fourwis
 /// What the command line of `plan` asks for (DESIGN.md section 5). Empty file names: not asked for.
 struct PlanArguments
 {
-  std::string help;     ///< when not empty, the user asked for this text and for nothing else
+  std::string text;     ///< when not empty, the user asked for this text and for nothing else: help, list of parameters
   std::string map;      ///< map_server YAML; exactly one of `map` and `octomap` is set
   std::string octomap;  ///< OctoMap file
   HeightBand band;      ///< heights of the OctoMap that matter

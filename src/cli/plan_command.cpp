@@ -187,8 +187,8 @@ int plan_command(int argc, const char* const* argv, std::ostream& out, std::ostr
   {
     const PlanArguments arguments = parse_arguments(argc, argv);
     json_file = arguments.json;
-    if (arguments.help.empty()) return run(arguments, out, err);
-    out << arguments.help;
+    if (arguments.text.empty()) return run(arguments, out, err);
+    out << arguments.text;
     return kPlanned;
   }
   catch (const UsageError& error)

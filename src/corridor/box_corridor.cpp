@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "box_growth.h"
 #include "closest_points.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "refusal.h"
 
 namespace fourwis
@@ -16,19 +16,6 @@ namespace
 
 /// Waypoints this near to an obstacle lie in it [m].
 constexpr double kTouches = 1e-6;
-
-void check(const BoxOptions& options)
-{
-  if (!(options.fine_step > 0.0))
-    reject<std::invalid_argument>(sentence("fine_step is %g m, expected a positive number", options.fine_step));
-  if (!(options.coarse_step >= options.fine_step))
-    reject<std::invalid_argument>(
-        sentence("coarse_step is %g m, expected at least fine_step = %g m", options.coarse_step, options.fine_step));
-  if (!(options.max_expansion >= options.coarse_step) || !std::isfinite(options.max_expansion))
-    reject<std::invalid_argument>(
-        sentence("max_expansion is %g m, expected a finite number, at least coarse_step = %g m", options.max_expansion,
-                 options.coarse_step));
-}
 
 /// Distance from a waypoint to the nearest obstacle or `most`, the less of the two [m].
 double clearance(const ObstacleRectangles& obstacles, const Pose& waypoint, double most)
@@ -71,6 +58,16 @@ std::string append_boxes(const ObstacleRectangles& obstacles, const std::vector<
 }
 
 }  // namespace
+
+void check(const BoxOptions& options)
+{
+  check_ranges(options);
+  if (options.coarse_step < options.fine_step)
+    reject_option("coarse_step", to_text(options.coarse_step), "at least fine_step, " + to_text(options.fine_step));
+  if (options.max_expansion < options.coarse_step)
+    reject_option("max_expansion", to_text(options.max_expansion),
+                  "at least coarse_step, " + to_text(options.coarse_step));
+}
 
 BoxCorridorResult box_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs, const BoxOptions& options,
                                const std::vector<Pose>& knots)

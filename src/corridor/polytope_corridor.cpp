@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "chord_region.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "polygon.h"
 #include "refusal.h"
 
@@ -12,14 +12,6 @@ namespace fourwis
 {
 namespace
 {
-
-void check(const PolytopeOptions& options)
-{
-  if (!(options.range > 0.0) || !std::isfinite(options.range))
-    reject<std::invalid_argument>(sentence("range is %g m, expected a positive, finite number", options.range));
-  if (options.max_half_planes < 4)
-    reject<std::invalid_argument>(sentence("max_half_planes is %d, expected at least 4", options.max_half_planes));
-}
 
 /// What is wrong with the question; empty when nothing is.
 std::string complaint(const std::vector<Pose>& knots, const std::vector<double>& shrink)
@@ -43,6 +35,11 @@ std::string collision_sentence(std::size_t interval, const Point2& centre, const
 }
 
 }  // namespace
+
+void check(const PolytopeOptions& options)
+{
+  check_ranges(options);
+}
 
 PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const DiscCover& discs,
                                    const PolytopeOptions& options, const std::vector<Pose>& knots,

@@ -32,8 +32,8 @@ DriveOptions drive_options(const can::BridgeOptions& options, int node, double c
   DriveOptions drive;
   drive.node = static_cast<std::uint8_t>(node);
   drive.serial = static_cast<std::uint32_t>(node);
-  if (options.vendor_id > 0.0) drive.vendor = static_cast<std::uint32_t>(options.vendor_id);
-  if (options.product_code > 0.0) drive.product = static_cast<std::uint32_t>(options.product_code);
+  if (options.vendor_id > 0) drive.vendor = options.vendor_id;
+  if (options.product_code > 0) drive.product = options.product_code;
   drive.profile_velocity = speed * counts;
   drive.max_velocity = kSpeedReserve * speed * counts;
   drive.acceleration = drive.quick_stop = deceleration * counts;

@@ -152,7 +152,7 @@ const std::vector<std::int64_t>* values_known(std::uint16_t index)
   return found == known.end() ? nullptr : &found->second;
 }
 
-AbortCode refuse_unknown_value(const ObjectDictionary&, ObjectAddress address, std::int64_t value)
+AbortCode reject_unknown_value(const ObjectDictionary&, ObjectAddress address, std::int64_t value)
 {
   const auto* known = values_known(address.index);
   if (known == nullptr || std::find(known->begin(), known->end(), value) != known->end()) return AbortCode::none;
@@ -170,7 +170,7 @@ ObjectDictionary drive_objects(const DriveOptions& options)
   add_power(objects);
   add_motion(objects, options);
   add_homing(objects);
-  objects.add_rule(refuse_unknown_value);
+  objects.add_rule(reject_unknown_value);
   return objects;
 }
 

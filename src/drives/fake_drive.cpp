@@ -5,16 +5,22 @@
 
 #include "communication.h"
 #include "errors.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "pdo_rules.h"
 #include "power_stage.h"
 
 namespace fourwis::drives
 {
 
+void check(const DriveOptions& options)
+{
+  check_ranges(options);
+}
+
 class FakeDrive::Implementation
 {
 public:
-  explicit Implementation(const DriveOptions& options) : options_(options), dictionary_(drive_objects(options))
+  explicit Implementation(const DriveOptions& options) : options_(checked(options)), dictionary_(drive_objects(options))
   {
     dictionary_.add_rule(pdo_refusal);
     dictionary_.listen([this](ObjectAddress address) { written(address); });

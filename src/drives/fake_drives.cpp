@@ -8,7 +8,7 @@
 #include "bus_port.h"
 #include "drive_axis.h"
 #include "fault_schedule.h"
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "intruders.h"
 #include "line_faults.h"
 
@@ -30,12 +30,11 @@ class FakeDrives::Implementation
 public:
   Implementation(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator)
     : port_(bus),
-      plant_(robot, simulator.actuators, simulator.slip),
+      plant_(checked(robot), simulator.actuators, simulator.slip),
       line_(faults_),
-      intruders_(faults_, bridge.bit_rate),
-      time_step_(simulator.time_step)
+      intruders_(faults_, checked(bridge).bit_rate),
+      time_step_(checked(simulator).time_step)
   {
-    require_between("time_step", time_step_, 1e-4, 0.01);
     for (int wheel = 0; wheel < kWheels; ++wheel) axes_.push_back(DriveAxis::steering(robot, bridge, wheel));
     for (int wheel = 0; wheel < kWheels; ++wheel) axes_.push_back(DriveAxis::driving(robot, bridge, wheel));
   }

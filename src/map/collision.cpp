@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
@@ -43,7 +44,7 @@ double least_turning_radius(const Robot& robot)
 
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
   : map_(map),
-    robot_(robot),
+    robot_(checked(robot)),
     discs_(two_discs(robot)),
     needed_(discs_),
     stride_(std::max(kLeastStride, robot.safety_margin)),

@@ -144,6 +144,7 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)
     slack_(M_SQRT2 * grid.resolution * (1.0 + 1e-5))
 {
   check_grid(grid);
+  check(rule);
   std::vector<std::uint8_t> obstacle(grid.data.size());
   for (std::size_t i = 0; i < obstacle.size(); ++i) obstacle[i] = rule.is_obstacle(grid.data[i]);
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "octomap_file.h"
 
 namespace fourwis
@@ -124,13 +124,16 @@ OccupancyGrid project(const InputFile& file, const std::vector<Block>& blocks, d
 
 }  // namespace
 
+void check(const HeightBand& band)
+{
+  check_ranges(band);
+  if (band.max <= band.min)
+    reject_option("max_height", to_text(band.max), "more than min_height, " + to_text(band.min) + " m");
+}
+
 OccupancyGrid project_octomap_file(const std::string& path, const HeightBand& band)
 {
-  if (!std::isfinite(band.min) || !std::isfinite(band.max) || band.min >= band.max)
-  {
-    throw std::invalid_argument("height band: expected finite min < max, got " + std::to_string(band.min) + " and " +
-                                std::to_string(band.max));
-  }
+  check(band);
   const InputFile file = read_input_file(path, max_map_bytes);
   const OctomapHeader header = read_octomap_header(file);
   check_octomap_nodes(file, header);

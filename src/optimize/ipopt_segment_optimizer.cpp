@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "ipopt_solver.h"
 #include "motion_limits.h"
 #include "ocp_nlp.h"
@@ -26,10 +27,12 @@ bool fits(const SegmentTask& task)
 }  // namespace
 
 IpoptSegmentOptimizer::IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed)
-  : robot_(robot),
-    options_(options),
+  : robot_(checked(robot)),
+    options_(checked(options)),
     reference_speed_(reference_speed)
-{}
+{
+  require_positive("reference_speed", reference_speed);
+}
 
 SegmentSolution IpoptSegmentOptimizer::solve(const SegmentTask& task, double tolerance,
                                              const Interrupt& interrupt) const

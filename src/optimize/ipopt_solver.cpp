@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "ipopt_program.h"
 
 namespace fourwis
@@ -82,8 +83,14 @@ bool is_valid(const Nlp& nlp)
   });
 }
 
+void check(const IpoptOptions& options)
+{
+  check_ranges(options);
+}
+
 NlpResult solve_on_ipopt(const Nlp& nlp, const IpoptOptions& options, const Interrupt& interrupt)
 {
+  check(options);
   NlpResult result;
   result.x = nlp.start;
   if (!is_valid(nlp)) return result;

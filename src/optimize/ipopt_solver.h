@@ -15,7 +15,20 @@ struct IpoptOptions
   double initial_barrier = 1e-2;  ///< less for a start close to the solution
   double bound_distance = 1e-2;   ///< the start is moved at least so far away from bounds, likewise
   int max_iterations = 500;
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("tolerance", o.tolerance, 1e-16, 1.0);
+    row("initial_barrier", o.initial_barrier, 1e-16, 1e3);
+    row("bound_distance", o.bound_distance, 1e-16, 0.5);
+    row("max_iterations", o.max_iterations, 0, 1e6);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const IpoptOptions& options);
 
 struct NlpResult
 {
@@ -25,7 +38,7 @@ struct NlpResult
 };
 
 /// Solves on Ipopt with exact second derivatives. Only one program in the process is solved at a time, others wait:
-/// MUMPS, on which Ipopt depends in Debian, is not thread-safe.
+/// MUMPS, on which Ipopt depends in Debian, is not thread-safe. Throws as check() does.
 NlpResult solve_on_ipopt(const Nlp& nlp, const IpoptOptions& options, const Interrupt& interrupt);
 
 }  // namespace fourwis

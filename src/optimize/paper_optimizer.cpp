@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "ipopt_solver.h"
 #include "motion_limits.h"
@@ -14,13 +13,6 @@ namespace fourwis
 {
 namespace
 {
-
-void check(const char* name, double value, double least, double most)
-{
-  if (value >= least && value <= most) return;
-  throw std::invalid_argument("paper option " + std::string(name) + " = " + std::to_string(value) + ": must lie in [" +
-                              std::to_string(least) + ", " + std::to_string(most) + "]");
-}
 
 /// The paper's limits: it knows none of single wheels.
 MotionLimits paper_limits(const Robot& robot, Mode mode, double reference_speed)
@@ -40,16 +32,17 @@ bool fits(const Segment& segment, const BoxCorridor& boxes, const Trajectory* pr
 
 }  // namespace
 
+void check(const PaperOptions& options)
+{
+  check_ranges(options);
+}
+
 PaperOptimizer::PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed)
-  : robot_(robot),
-    options_(options),
+  : robot_(checked(robot)),
+    options_(checked(options)),
     reference_speed_(reference_speed)
 {
-  check("steering_comfort", options.steering_comfort, 0.0, 1e6);
-  check("penalty", options.penalty, 1.0, 1e12);
-  check("tolerance", options.tolerance, 1e-12, 1.0);
-  check("max_iterations", options.max_iterations, 0.0, 1e6);
-  check("reference_speed", reference_speed, 1e-6, 1e6);
+  require_positive("reference_speed", reference_speed);
 }
 
 PaperSolution PaperOptimizer::solve(const Segment& segment, const BoxCorridor& boxes, const Trajectory* previous,

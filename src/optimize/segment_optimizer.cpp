@@ -1,5 +1,6 @@
 #include "fourwis_navigation/optimize/segment_optimizer.h"
 
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/ocp/solver.h"
 #include "motion_limits.h"
 #include "segment_problem.h"
@@ -35,10 +36,12 @@ void take(const Solver::Solution& solution, Mode mode, SegmentSolution& result)
 }  // namespace
 
 SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed)
-  : robot_(robot),
-    options_(options),
+  : robot_(checked(robot)),
+    options_(checked(options)),
     reference_speed_(reference_speed)
-{}
+{
+  require_positive("reference_speed", reference_speed);
+}
 
 SegmentSolution SegmentOptimizer::solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const
 {

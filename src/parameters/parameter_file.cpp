@@ -15,7 +15,7 @@ namespace
 /// Anchors allow a YAML map to contain itself; no configuration of ours is nested deeper.
 constexpr int kMaxDepth = 8;
 
-[[noreturn]] void refuse(const std::string& path, const YAML::Mark& mark, const std::string& what)
+[[noreturn]] void reject_at(const std::string& path, const YAML::Mark& mark, const std::string& what)
 {
   const std::string line = mark.is_null() ? "" : ":" + std::to_string(mark.line + 1);
   throw ConfigError(path + line + ": " + what);
@@ -35,10 +35,10 @@ ParameterValue value_of(const YAML::Node& scalar)
 
 void flatten(const std::string& path, const std::string& prefix, const YAML::Node& map, int depth, ParameterMap& out)
 {
-  if (depth > kMaxDepth) refuse(path, map.Mark(), "maps nested deeper than " + std::to_string(kMaxDepth) + " levels");
+  if (depth > kMaxDepth) reject_at(path, map.Mark(), "maps nested deeper than " + std::to_string(kMaxDepth) + " levels");
   for (const auto& entry : map)
   {
-    if (!entry.first.IsScalar()) refuse(path, entry.first.Mark(), "a key must be a plain word");
+    if (!entry.first.IsScalar()) reject_at(path, entry.first.Mark(), "a key must be a plain word");
     const std::string key = prefix + entry.first.Scalar();
     if (entry.second.IsMap())
     {
@@ -46,9 +46,9 @@ void flatten(const std::string& path, const std::string& prefix, const YAML::Nod
       continue;
     }
     if (!entry.second.IsScalar())
-      refuse(path, entry.first.Mark(), "parameter '" + key + "' has no single value, expected a number or a word");
+      reject_at(path, entry.first.Mark(), "parameter '" + key + "' has no single value, expected a number or a word");
     if (!out.emplace(key, value_of(entry.second)).second)
-      refuse(path, entry.first.Mark(), "parameter '" + key + "' appears twice, expected once");
+      reject_at(path, entry.first.Mark(), "parameter '" + key + "' appears twice, expected once");
   }
 }
 
@@ -76,7 +76,7 @@ YAML::Node load(const std::string& path)
   }
   catch (const YAML::Exception& error)
   {
-    refuse(path, error.mark, "not YAML: " + error.msg);
+    reject_at(path, error.mark, "not YAML: " + error.msg);
   }
 }
 

@@ -1,9 +1,9 @@
 #include "paper_back_end.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/segment/segment.h"
 
@@ -11,16 +11,6 @@ namespace fourwis
 {
 namespace
 {
-
-void check(const PaperBackEndOptions& options)
-{
-  if (!(options.convergence > 0.0))
-    throw std::invalid_argument("paper option convergence = " + std::to_string(options.convergence) +
-                                ": must be positive");
-  if (options.outer_iterations < 1)
-    throw std::invalid_argument("paper option outer_iterations = " + std::to_string(options.outer_iterations) +
-                                ": must be positive");
-}
 
 std::vector<Pose> poses(const Trajectory& points)
 {
@@ -41,6 +31,12 @@ void append(const Trajectory& part, double pause, Trajectory& whole)
 }
 
 }  // namespace
+
+void check(const PaperBackEndOptions& options)
+{
+  check_ranges(options);
+  check(options.boxes);
+}
 
 const char* to_string(PaperStatus status)
 {

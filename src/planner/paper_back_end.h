@@ -22,7 +22,21 @@ struct PaperBackEndOptions
   PaperOptions program;       ///< eq. (26)
   double convergence = 1e-6;  ///< epsilon_tol: done when psi is less
   int outer_iterations = 10;  ///< I, at most so many rounds of corridor and program
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("spacing", o.spacing, 0.01, 10.0, "m");
+    row.group("", o.boxes);
+    row.group("", o.program);
+    row("convergence", o.convergence, 1e-12, 1.0);
+    row("outer_iterations", o.outer_iterations, 1, 1000);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range, and as the checks of its parts do.
+void check(const PaperBackEndOptions& options);
 
 enum class PaperStatus
 {

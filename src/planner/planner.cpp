@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "back_end.h"
 #include "candidates.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "judge.h"
 #include "paper_back_end.h"
 #include "plan_context.h"
@@ -195,10 +195,10 @@ bool is_too_tight(const PlanResult& result)
 
 void check(const PlannerOptions& options)
 {
+  check_ranges(options);
   if (is_paper(options) && options.optimize.solver != NlpSolver::ipopt)
-    throw std::invalid_argument(
-        "parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': "
-        "the structured solver has no penalties");
+    reject_option("solver", "'structured'",
+                  "'ipopt' where 'formulation' is 'paper': the structured solver has no penalties");
 }
 
 Planner::Planner(const PlannerOptions& options) : Planner(options, hardware_threads()) {}

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "halved_segment.h"
 
 namespace fourwis
@@ -102,7 +103,7 @@ struct SegmentRefiner::Attempt
 
 SegmentRefiner::SegmentRefiner(const PlanContext& context)
   : context_(context),
-    options_(context.options.optimize),
+    options_(checked(context.options.optimize)),
     discs_(disc_cover(context.robot(), options_.corridor_discs)),
     fine_discs_(disc_cover(context.robot(), options_.polish_discs)),
     certifier_(certifier(context.checker, discs_)),

@@ -1,3 +1,4 @@
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "judge.h"
 
@@ -10,9 +11,9 @@ World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const Pla
 
 World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const PlannerOptions& options,
              PlanClock::time_point begin)
-  : robot(robot_model),
+  : robot(checked(robot_model)),
     grid(occupancy),
-    obstacles(occupancy, options.obstacles),
+    obstacles(occupancy, checked(options).obstacles),
     rectangles(obstacles),
     referee(occupancy, options.obstacles, robot_model, options.referee),
     build_ms(ms_since(begin))

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "fourwis_navigation/model/option_check.h"
 #include "motion.h"
 #include "obstacle_cells.h"
 #include "promises.h"
@@ -15,42 +14,6 @@ namespace fourwis
 {
 namespace
 {
-
-void require(const char* name, double value, double least, double greatest)
-{
-  if (value >= least && value <= greatest) return;
-  throw std::invalid_argument("referee: " + std::string(name) + " " + std::to_string(value) + ", expected between " +
-                              std::to_string(least) + " and " + std::to_string(greatest));
-}
-
-void check(const Robot& robot)
-{
-  for (const auto& [name, size] : {std::pair("length", robot.length),
-                                   {"width", robot.width},
-                                   {"wheelbase", robot.wheelbase},
-                                   {"track_width", robot.track_width}})
-    require(name, size, 1e-2, 1e3);
-  for (const auto& [name, limit] : {std::pair("max_steering_rate", robot.max_steering_rate),
-                                    {"max_speed", robot.max_speed},
-                                    {"max_acceleration", robot.max_acceleration},
-                                    {"wheel_max_rate", robot.wheel_max_rate},
-                                    {"wheel_max_speed", robot.wheel_max_speed}})
-    require(name, limit, 1e-6, 1e6);
-  require("max_steering_angle", robot.max_steering_angle, 0.0, 1.57);
-  require("wheel_max_angle", robot.wheel_max_angle, 1e-6, 4.0 * M_PI);
-  require("mode_switch_time", robot.mode_switch_time, 0.0, 1e6);
-}
-
-void check(const RefereeOptions& options)
-{
-  require("collision_step", options.collision_step, 1e-4, 1.0);
-  for (const auto& [name, tolerance] : {std::pair("rollout_position", options.rollout_position),
-                                        {"rollout_angle", options.rollout_angle},
-                                        {"endpoint_position", options.endpoint_position},
-                                        {"endpoint_angle", options.endpoint_angle},
-                                        {"limit_tolerance", options.limit_tolerance}})
-    require(name, tolerance, 0.0, 1.0);
-}
 
 /// The place at time t on the way from one point towards the next.
 TrajectoryPoint place_between(const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to, double t)
@@ -82,14 +45,16 @@ Trajectory rest_of(const Robot& robot, const Trajectory& trajectory, double t)
 
 }  // namespace
 
-Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options)
-  : cells_(std::make_shared<referee::ObstacleCells>(grid, rule)),
-    robot_(robot),
-    options_(options)
+void check(const RefereeOptions& options)
 {
-  check(robot_);
-  check(options_);
+  check_ranges(options);
 }
+
+Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options)
+  : cells_(std::make_shared<referee::ObstacleCells>(grid, checked(rule))),
+    robot_(checked(robot)),
+    options_(checked(options))
+{}
 
 Verdict Referee::judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const
 {

@@ -8,9 +8,9 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_ros/transform_broadcaster.h>
 
-#include "drive_parameters.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/wheels.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 #include "fourwis_navigation/vehicle/wheel_odometry.h"
 
 namespace fourwis

@@ -14,8 +14,8 @@
 
 #include "base_topics.h"
 #include "bridge_diagnostics.h"
-#include "can_bridge_parameters.h"
 #include "fourwis_navigation/WheelCommands.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {

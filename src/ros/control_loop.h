@@ -8,9 +8,9 @@
 #include <ros/time.h>
 #include <tf2/buffer_core.h>
 
-#include "drive_parameters.h"
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/WheelStates.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 #include "fourwis_navigation/track/tracker.h"
 #include "odometry_pose.h"
 

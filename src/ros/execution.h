@@ -8,9 +8,9 @@
 #include <ros/time.h>
 
 #include "drive_monitor.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 #include "map_planner.h"
 #include "map_store.h"
-#include "node_parameters.h"
 #include "planner_topics.h"
 #include "pose_source.h"
 

@@ -7,10 +7,10 @@
 
 #include "drive_monitor.h"
 #include "execution.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 #include "goal_server.h"
 #include "map_planner.h"
 #include "map_store.h"
-#include "node_parameters.h"
 #include "plan_services.h"
 #include "planner_diagnostics.h"
 #include "planner_topics.h"

@@ -9,7 +9,7 @@
 #include <ros/subscriber.h>
 #include <tf2_ros/transform_broadcaster.h>
 
-#include "drive_parameters.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {

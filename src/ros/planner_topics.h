@@ -10,8 +10,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include "fourwis_navigation/PlannerStatus.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 #include "map_planner.h"
-#include "node_parameters.h"
 
 namespace fourwis
 {

@@ -10,7 +10,7 @@
 #include <tf2/buffer_core.h>
 
 #include "fourwis_navigation/model/pose.h"
-#include "node_parameters.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {

@@ -7,7 +7,7 @@
 #include <ros/timer.h>
 #include <ros/wall_timer.h>
 
-#include "drive_parameters.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {

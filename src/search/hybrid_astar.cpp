@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "closed_list.h"
+#include "fourwis_navigation/model/option_range.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "mode_curves.h"
@@ -315,6 +316,10 @@ private:
 SearchResult hybrid_astar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
                           const DistanceToGoal& distance, std::vector<Pose>* expanded)
 {
+  require_positive("reference_speed", options.reference_speed);
+  require_positive("step_time", options.step_time);
+  require_positive("xy_resolution", options.xy_resolution);
+  require_positive("heading_resolution", options.heading_resolution);
   return HybridAStar(problem, options, modes, distance).run(problem.interrupt, expanded);
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 
+#include "fourwis_navigation/model/option_range.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "parallel_angle.h"
@@ -24,13 +23,6 @@ constexpr int kLeastIntervals = 4;
 constexpr double kMostIntervals = 1e6;
 /// So much longer than `spacing` an interval may be before there is one more, in parts of it: rounding.
 constexpr double kRounding = 1e-9;
-
-void require_positive(double value, const char* name)
-{
-  if (!(value > 0.0) || !std::isfinite(value))
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ", expected a positive, finite number");
-}
 
 bool is_usable(const PathPiece& piece, const Robot& robot)
 {
@@ -142,7 +134,7 @@ Segment resample(const std::vector<PathPiece>& pieces, const Robot& robot, doubl
 
 std::vector<Segment> split_at_switches(const Path& path, const Robot& robot, double spacing)
 {
-  require_positive(spacing, "spacing");
+  require_positive("spacing", spacing);
   const std::vector<PathPiece> pieces = clean(path.pieces, robot, spacing);
   std::vector<Segment> segments;
   for (auto begin = pieces.begin(); begin != pieces.end();)
@@ -164,7 +156,7 @@ double travel_length(const Segment& segment)
 
 double reference_duration(const Segment& segment, double v_ref)
 {
-  require_positive(v_ref, "v_ref");
+  require_positive("v_ref", v_ref);
   return travel_length(segment) / v_ref;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis
@@ -12,14 +12,7 @@ namespace fourwis
 namespace
 {
 
-const SimulatorOptions& checked(const SimulatorOptions& options)
-{
-  require_between("time_step", options.time_step, 1e-4, 0.01);
-  require_between("command_latency", options.command_latency, 0.0, 2.0);
-  require_between("command_timeout", options.command_timeout, 0.01, 10.0);
-  require_between("stop_deceleration", options.stop_deceleration, 0.1, 100.0);
-  return options;
-}
+constexpr OptionRange kDurations{0.0, 1e6, "s"};
 
 bool is_usable(const WheelCommand& command)
 {
@@ -33,7 +26,7 @@ bool is_usable(const WheelCommand& command)
 
 BaseSimulator::BaseSimulator(const Robot& robot, const SimulatorOptions& options)
   : options_(checked(options)),
-    max_speed_(robot.wheel_max_speed),
+    max_speed_(checked(robot).wheel_max_speed),
     plant_(robot, options.actuators, options.slip),
     encoders_(options.encoders, options.seed),
     interlock_(options.interlock)
@@ -61,7 +54,7 @@ bool BaseSimulator::command(const WheelCommand& command)
 
 void BaseSimulator::step(double duration)
 {
-  require_between("duration", duration, 0.0, 1e6);
+  require_in(kDurations, "duration", duration);
   remainder_ += duration;
   const auto steps = static_cast<std::int64_t>(std::floor(remainder_ / options_.time_step + 1e-6));
   remainder_ -= static_cast<double>(steps) * options_.time_step;

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 
 namespace fourwis
 {
@@ -25,11 +25,7 @@ Eigen::Vector3d row(const WheelPosition& axis, double angle)
 
 }  // namespace
 
-Body::Body(const Robot& robot, const SlipOptions& slip) : axes_(wheel_positions(robot)), slip_(slip)
-{
-  require_between("drive_slip", slip.drive_slip, -0.9, 0.9);
-  require_between("lateral_slip", slip.lateral_slip, 0.0, 0.1);
-}
+Body::Body(const Robot& robot, const SlipOptions& slip) : axes_(wheel_positions(robot)), slip_(checked(slip)) {}
 
 void Body::place(const Pose& pose)
 {

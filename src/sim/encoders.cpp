@@ -2,20 +2,15 @@
 
 #include <cmath>
 
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 
 namespace fourwis
 {
 
 Encoders::Encoders(const EncoderOptions& options, int seed)
-  : options_(options),
+  : options_(checked(options)),
     engine_(static_cast<std::mt19937_64::result_type>(seed))
-{
-  require_between("angle_resolution", options.angle_resolution, 0.0, 0.1);
-  require_between("angle_noise", options.angle_noise, 0.0, 0.1);
-  require_between("speed_resolution", options.speed_resolution, 0.0, 0.1);
-  require_between("speed_noise", options.speed_noise, 0.0, 0.1);
-}
+{}
 
 void Encoders::measure(const WheelMotion& truth)
 {

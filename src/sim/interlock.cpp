@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 
 namespace fourwis
 {
@@ -15,15 +15,7 @@ constexpr double kRounding = 1e-9;
 
 }  // namespace
 
-Interlock::Interlock(const InterlockOptions& options) : options_(options)
-{
-  require_between("largest_jump", options.largest_jump, 0.01, 10.0);
-  require_between("standstill_speed", options.standstill_speed, 1e-6, 1.0);
-  require_between("standstill_time", options.standstill_time, 0.0, 10.0);
-  require_between("aligned_angle", options.aligned_angle, 1e-6, 0.5);
-  require_between("aligned_time", options.aligned_time, 0.0, 10.0);
-  require_between("alignment_timeout", options.alignment_timeout, 0.01, 3600.0);
-}
+Interlock::Interlock(const InterlockOptions& options) : options_(checked(options)) {}
 
 void Interlock::want(Mode mode, const PerWheel& angle)
 {

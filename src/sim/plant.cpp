@@ -1,21 +1,9 @@
 #include "fourwis_navigation/sim/plant.h"
 
-#include "fourwis_navigation/model/option_range.h"
+#include "fourwis_navigation/model/option_check.h"
 
 namespace fourwis
 {
-namespace
-{
-
-const ActuatorOptions& checked(const ActuatorOptions& options)
-{
-  require_between("steering_lag", options.steering_lag, 0.0, 1.0);
-  require_between("drive_lag", options.drive_lag, 0.0, 1.0);
-  require_between("drive_acceleration", options.drive_acceleration, 0.01, 1000.0);
-  return options;
-}
-
-}  // namespace
 
 Plant::Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOptions& slip)
   : wheels_(kWheels, Wheel{Actuator({robot.wheel_max_angle, robot.wheel_max_rate, checked(actuators).steering_lag}),

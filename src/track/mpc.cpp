@@ -61,6 +61,7 @@ void HorizonModel::differentiate_terminal(const State& x, Terminal& terminal) co
 
 Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error_model_(robot, Mode::none)
 {
+  check(options);
   const std::size_t count = static_cast<std::size_t>(options.knots);
   const double first = 1.0 / options.controller_frequency;
   times_ = {0.0};

@@ -48,6 +48,7 @@ struct MpcAnswer
 class Mpc
 {
 public:
+  /// Throws as check(options) does.
   Mpc(const Robot& robot, const TrackOptions& options);
 
   /// To be called before a stretch: forgets the last one.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include <Eigen/LU>
+
+#include "fourwis_navigation/model/option_check.h"
 
 namespace fourwis
 {
@@ -34,23 +34,21 @@ Eigen::Matrix3d inverse_normal(const std::array<WheelPosition, kWheels>& axes, i
   return normal.inverse();
 }
 
-void check(const char* option, double value, double min, double max)
-{
-  if (value >= min && value <= max) return;
-  throw std::invalid_argument(std::string(option) + " is " + std::to_string(value) + ", expected a number from " +
-                              std::to_string(min) + " to " + std::to_string(max));
-}
-
 }  // namespace
+
+void check(const Robot& robot, const WheelTwistOptions& options)
+{
+  check(robot);
+  check_ranges(options);
+  const double most = std::min(robot.wheelbase, robot.track_width) / 4.0;
+  require_in({-most, most, "m"}, "axis_offset", options.axis_offset);
+}
 
 WheelTwist::WheelTwist(const Robot& robot, const WheelTwistOptions& options)
   : options_(options),
     axes_(wheel_positions(robot))
 {
-  check("deviation", options.deviation, 0.0, 10.0);
-  check("greatest_slip", options.greatest_slip, 0.0, 1e3);
-  const double bound = std::min(robot.wheelbase, robot.track_width) / 4.0;
-  check("axis_offset", options.axis_offset, -bound, bound);
+  check(robot, options);
   for (int i = 0; i < kWheels; ++i) inverse_[static_cast<std::size_t>(i)] = inverse_normal(axes_, i);
   inverse_[kWheels] = inverse_normal(axes_, kNone);
 }

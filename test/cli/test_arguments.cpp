@@ -47,7 +47,7 @@ void expect_refusal(const Words& words, const Words& parts)
 TEST(Arguments, DefaultsAreAllModesOnePlanAndNoOutput)
 {
   const PlanArguments arguments = parse(valid());
-  EXPECT_EQ(arguments.help, "");
+  EXPECT_EQ(arguments.text, "");
   EXPECT_EQ(arguments.map, "map.yaml");
   EXPECT_EQ(arguments.start.x, 1.0);
   EXPECT_EQ(arguments.start.y, 2.0);
@@ -212,10 +212,10 @@ TEST(Arguments, HelpNamesEveryOptionAndNeedsNothingElse)
 {
   for (const std::string ask : {"--help", "-h"})
   {
-    const std::string help = parse({ask}).help;
-    for (const std::string option :
-         {"--map", "--octomap", "--height-min", "--height-max", "--start", "--goal", "--robot", "--planner", "--modes",
-          "--frontend-only", "--repeat", "--json", "--csv", "--svg", "--corridors", "--iterations"})
+    const std::string help = parse({ask}).text;
+    for (const std::string option : {"--map", "--octomap", "--height-min", "--height-max", "--start", "--goal",
+                                     "--robot", "--planner", "--modes", "--frontend-only", "--repeat", "--json",
+                                     "--csv", "--svg", "--corridors", "--iterations", "--list-parameters"})
       EXPECT_NE(help.find(option), std::string::npos) << option;
   }
 }

@@ -13,6 +13,7 @@
 #include "../support/grids.h"
 #include "cli/plan_command.h"
 #include "fourwis_navigation/map/map_file.h"
+#include "fourwis_navigation/parameters/documentation.h"
 
 namespace fourwis
 {
@@ -291,6 +292,14 @@ TEST_F(PlanCommand, HelpIsStatusZero)
   const Outcome outcome = run({"--help"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("--octomap"), std::string::npos);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(PlanCommand, ParametersAreListedWithStatusZero)
+{
+  const Outcome outcome = run({"--list-parameters"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, parameter_documentation());
   EXPECT_EQ(outcome.err, "");
 }
 

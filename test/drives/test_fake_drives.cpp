@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/refusals.h"
 #include "drives_fixture.h"
 #include "fourwis_navigation/sim/base_simulator.h"
 #include "fourwis_navigation/vehicle/wheels.h"
@@ -229,6 +230,31 @@ TEST(FakeDrivesLaws, TheSameFramesGiveTheSameFrames)
     ASSERT_EQ(first[k].frame, second[k].frame) << k;
     ASSERT_EQ(first[k].time, second[k].time) << k;
   }
+}
+
+TEST(FakeDrivesLaws, OptionsOutOfRangeAreRefusedByName)
+{
+  can::MemoryBus bus;
+  const auto end = bus.open();
+  const auto said = [&](const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator) {
+    return error_of<std::invalid_argument>([&] { FakeDrives(*end, robot, bridge, simulator); });
+  };
+  EXPECT_EQ(said({}, {}, {}), "");
+  SimulatorOptions simulator;
+  simulator.time_step = 0.0;
+  EXPECT_TRUE(says(said({}, {}, simulator), "'time_step' is 0"));
+  simulator = {};
+  simulator.interlock.aligned_angle = 1e-5;
+  EXPECT_TRUE(says(said({}, {}, simulator), "'aligned_angle' is 1e-05, expected a number from 0.0001 to 0.5 rad"));
+  can::BridgeOptions bridge;
+  bridge.driving[0].node = 128;
+  EXPECT_TRUE(says(said({}, bridge, {}), "'driving/front_left/node' is 128"));
+  Robot robot;
+  robot.wheel_max_speed = 0.0;
+  EXPECT_TRUE(says(said(robot, {}, {}), "'wheel_max_speed' is 0"));
+  DriveOptions drive;
+  drive.node = 0;
+  EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { FakeDrive{drive}; }), "'node' is 0"));
 }
 
 }  // namespace

@@ -225,5 +225,15 @@ TEST(ObstacleRule, TakesCellsFromTheThresholdOnForObstacles)
   }
 }
 
+TEST(ObstacleRule, OutOfRangeIsRefused)
+{
+  ObstacleRule rule;
+  for (const int bad : {0, 101})
+  {
+    rule.occupied_threshold = bad;
+    EXPECT_THROW(ObstacleMap(free_grid(9, 9, 0.1), rule), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace fourwis

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -12,24 +13,38 @@ namespace fourwis
 const std::string kRobotFile = FOURWIS_SOURCE_DIR "/config/robot.yaml";
 const std::string kPlannerFile = FOURWIS_SOURCE_DIR "/config/planner.yaml";
 
+/// The wheels stay within the body.
+ParameterMap with_fitting_wheels(ParameterMap parameters, const std::string& key, const ParameterValue& value)
+{
+  const auto number = [&](const char* of) -> double& { return std::get<double>(parameters[of]); };
+  parameters[key] = value;
+  for (const auto& [axis, side] : {std::pair("wheelbase", "length"), std::pair("track_width", "width")})
+  {
+    if (key == side) number(axis) = std::max(0.01, std::min(number(axis), number(side)));
+    if (key == axis) number(side) = std::min(20.0, std::max(number(axis), number(side)));
+  }
+  return parameters;
+}
+
 template <>
 Subject<Robot> subject_of()
 {
   return {kRobotFile,
           robot_from,
-          {{"length", [](const Robot& r) { return r.length; }},
-           {"width", [](const Robot& r) { return r.width; }},
-           {"wheelbase", [](const Robot& r) { return r.wheelbase; }},
-           {"track_width", [](const Robot& r) { return r.track_width; }},
-           {"max_steering_angle", [](const Robot& r) { return r.max_steering_angle; }},
-           {"max_steering_rate", [](const Robot& r) { return r.max_steering_rate; }},
-           {"max_speed", [](const Robot& r) { return r.max_speed; }},
-           {"max_acceleration", [](const Robot& r) { return r.max_acceleration; }},
-           {"mode_switch_time", [](const Robot& r) { return r.mode_switch_time; }},
-           {"wheel_max_angle", [](const Robot& r) { return r.wheel_max_angle; }},
-           {"wheel_max_rate", [](const Robot& r) { return r.wheel_max_rate; }},
-           {"wheel_max_speed", [](const Robot& r) { return r.wheel_max_speed; }},
-           {"safety_margin", [](const Robot& r) { return r.safety_margin; }}}};
+          {{"length", [](const Robot& r) { return r.length; }, {0.05, 20.0}},
+           {"width", [](const Robot& r) { return r.width; }, {0.05, 20.0}},
+           {"wheelbase", [](const Robot& r) { return r.wheelbase; }, {0.01, 20.0}},
+           {"track_width", [](const Robot& r) { return r.track_width; }, {0.01, 20.0}},
+           {"max_steering_angle", [](const Robot& r) { return r.max_steering_angle; }, {0.01, M_PI * 80 / 180}},
+           {"max_steering_rate", [](const Robot& r) { return r.max_steering_rate; }, {0.01, 100.0}},
+           {"max_speed", [](const Robot& r) { return r.max_speed; }, {0.01, 20.0}},
+           {"max_acceleration", [](const Robot& r) { return r.max_acceleration; }, {0.01, 50.0}},
+           {"mode_switch_time", [](const Robot& r) { return r.mode_switch_time; }, {0.0, 60.0}},
+           {"wheel_max_angle", [](const Robot& r) { return r.wheel_max_angle; }, {0.01, 10.0}},
+           {"wheel_max_rate", [](const Robot& r) { return r.wheel_max_rate; }, {0.01, 100.0}},
+           {"wheel_max_speed", [](const Robot& r) { return r.wheel_max_speed; }, {0.01, 50.0}},
+           {"safety_margin", [](const Robot& r) { return r.safety_margin; }, {0.0, 1.0}}},
+          with_fitting_wheels};
 }
 
 template <>
@@ -38,41 +53,41 @@ Subject<PlannerOptions> subject_of()
   using O = PlannerOptions;
   return {kPlannerFile,
           planner_options_from,
-          {{"occupied_threshold", [](const O& o) { return double(o.obstacles.occupied_threshold); }},
+          {{"occupied_threshold", [](const O& o) { return double(o.obstacles.occupied_threshold); }, {1, 100, kWhole}},
            {"unknown_is_obstacle", [](const O& o) { return double(o.obstacles.unknown_is_obstacle); }},
-           {"reference_speed", [](const O& o) { return o.search.reference_speed; }},
-           {"step_time", [](const O& o) { return o.search.step_time; }},
-           {"reverse_penalty", [](const O& o) { return o.search.reverse_penalty; }},
-           {"lateral_reverse_penalty", [](const O& o) { return o.search.lateral_reverse_penalty; }},
-           {"steering_penalty", [](const O& o) { return o.search.steering_penalty; }},
-           {"parallel_steering_penalty", [](const O& o) { return o.search.parallel_steering_penalty; }},
-           {"steering_change_penalty", [](const O& o) { return o.search.steering_change_penalty; }},
-           {"direction_change_penalty", [](const O& o) { return o.search.direction_change_penalty; }},
-           {"heuristic_weight", [](const O& o) { return o.search.heuristic_weight; }},
+           {"reference_speed", [](const O& o) { return o.search.reference_speed; }, {0.01, 20.0}},
+           {"step_time", [](const O& o) { return o.search.step_time; }, {0.01, 10.0}},
+           {"reverse_penalty", [](const O& o) { return o.search.reverse_penalty; }, {0.0, 1000.0}},
+           {"lateral_reverse_penalty", [](const O& o) { return o.search.lateral_reverse_penalty; }, {0.0, 1000.0}},
+           {"steering_penalty", [](const O& o) { return o.search.steering_penalty; }, {0.0, 1000.0}},
+           {"parallel_steering_penalty", [](const O& o) { return o.search.parallel_steering_penalty; }, {0.0, 1000.0}},
+           {"steering_change_penalty", [](const O& o) { return o.search.steering_change_penalty; }, {0.0, 1000.0}},
+           {"direction_change_penalty", [](const O& o) { return o.search.direction_change_penalty; }, {0.0, 1000.0}},
+           {"heuristic_weight", [](const O& o) { return o.search.heuristic_weight; }, {0.0, 100.0}},
            {"terminal_connection", [](const O& o) { return double(o.search.terminal_connection); }},
            {"switching_awareness", [](const O& o) { return double(o.search.switching_awareness); }},
-           {"xy_resolution", [](const O& o) { return o.search.xy_resolution; }},
-           {"heading_resolution", [](const O& o) { return o.search.heading_resolution; }},
-           {"xy_goal_tolerance", [](const O& o) { return o.search.xy_goal_tolerance; }},
-           {"yaw_goal_tolerance", [](const O& o) { return o.search.yaw_goal_tolerance; }},
+           {"xy_resolution", [](const O& o) { return o.search.xy_resolution; }, {0.01, 5.0}},
+           {"heading_resolution", [](const O& o) { return o.search.heading_resolution; }, {0.01, 1.6}},
+           {"xy_goal_tolerance", [](const O& o) { return o.search.xy_goal_tolerance; }, {0.001, 5.0}},
+           {"yaw_goal_tolerance", [](const O& o) { return o.search.yaw_goal_tolerance; }, {0.001, 3.15}},
            {"solver", [](const O& o) { return double(o.optimize.solver); }},
            {"formulation", [](const O& o) { return double(o.optimize.formulation); }},
-           {"knot_spacing", [](const O& o) { return o.optimize.spacing; }},
-           {"steering_comfort", [](const O& o) { return o.optimize.steering_comfort; }},
-           {"interval_weight", [](const O& o) { return o.optimize.interval_weight; }},
-           {"corridor_weight", [](const O& o) { return o.optimize.corridor_weight; }},
-           {"shortest_interval", [](const O& o) { return o.optimize.shortest_interval; }},
-           {"longest_interval", [](const O& o) { return o.optimize.longest_interval; }},
-           {"longest_at_rest", [](const O& o) { return o.optimize.longest_at_rest; }},
-           {"corridor_discs", [](const O& o) { return o.optimize.corridor_discs; }},
-           {"polish_discs", [](const O& o) { return o.optimize.polish_discs; }},
-           {"corridor_range", [](const O& o) { return o.optimize.corridor_range; }},
-           {"outer_iterations", [](const O& o) { return double(o.optimize.outer_iterations); }},
-           {"repairs", [](const O& o) { return double(o.optimize.repairs); }},
-           {"shortcut_passes", [](const O& o) { return double(o.search.shortcut_passes); }},
-           {"max_expansions", [](const O& o) { return double(o.search.max_expansions); }},
-           {"collision_step", [](const O& o) { return o.referee.collision_step; }},
-           {"planner_patience", [](const O& o) { return o.planner_patience; }}}};
+           {"knot_spacing", [](const O& o) { return o.optimize.spacing; }, {0.01, 2.0}},
+           {"steering_comfort", [](const O& o) { return o.optimize.steering_comfort; }, {0.0, 100.0}},
+           {"interval_weight", [](const O& o) { return o.optimize.interval_weight; }, {0.0, 100.0}},
+           {"corridor_weight", [](const O& o) { return o.optimize.corridor_weight; }, {1.0, 1e6}},
+           {"shortest_interval", [](const O& o) { return o.optimize.shortest_interval; }, {0.01, 0.9}},
+           {"longest_interval", [](const O& o) { return o.optimize.longest_interval; }, {1.1, 100.0}},
+           {"longest_at_rest", [](const O& o) { return o.optimize.longest_at_rest; }, {2.0, 100.0}},
+           {"corridor_discs", [](const O& o) { return o.optimize.corridor_discs; }, {1, 8, kWhole}},
+           {"polish_discs", [](const O& o) { return o.optimize.polish_discs; }, {1, 8, kWhole}},
+           {"corridor_range", [](const O& o) { return o.optimize.corridor_range; }, {0.1, 20.0}},
+           {"outer_iterations", [](const O& o) { return double(o.optimize.outer_iterations); }, {1, 20, kWhole}},
+           {"repairs", [](const O& o) { return double(o.optimize.repairs); }, {0, 20, kWhole}},
+           {"shortcut_passes", [](const O& o) { return double(o.search.shortcut_passes); }, {0, 1000, kWhole}},
+           {"max_expansions", [](const O& o) { return double(o.search.max_expansions); }, {1, 1e9, kWhole}},
+           {"collision_step", [](const O& o) { return o.referee.collision_step; }, {0.0005, 0.01}},
+           {"planner_patience", [](const O& o) { return o.planner_patience; }, {0.001, 3600.0}}}};
 }
 
 INSTANTIATE_TYPED_TEST_SUITE_P(RobotFile, ParameterLaws, Robot);

@@ -55,6 +55,8 @@ TEST(VerifyCollision, OfStandingBodiesAgreesWithBruteForceOnRandomGrids)
     const OccupancyGrid grid = random_grid(random, resolution, share, cells_per_side);
     Robot robot;
     if (seed % 3 == 0) robot.length = random.between(0.1, 1.5), robot.width = random.between(0.1, 1.5);
+    robot.wheelbase = std::min(robot.wheelbase, robot.length);
+    robot.track_width = std::min(robot.track_width, robot.width);
     const ObstacleRule rule{65, seed % 2 == 0};
     const Referee referee(grid, rule, robot);
     const std::vector<Quad> cells = obstacles(grid, rule);

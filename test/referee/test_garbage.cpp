@@ -149,13 +149,19 @@ TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
   EXPECT_EQ(message({}, {}), "accepted");
   Robot robot;
   robot.wheelbase = 0.0;
-  EXPECT_NE(message(robot, {}).find("wheelbase 0"), std::string::npos);
+  EXPECT_NE(message(robot, {}).find("'wheelbase' is 0, expected"), std::string::npos);
   robot = {};
   robot.max_steering_angle = 1.6;
-  EXPECT_NE(message(robot, {}).find("max_steering_angle 1.6"), std::string::npos);
+  EXPECT_NE(message(robot, {}).find("'max_steering_angle' is 1.6, expected"), std::string::npos);
   RefereeOptions options;
   options.collision_step = kNan;
   EXPECT_NE(message({}, options).find("collision_step"), std::string::npos);
+  options = {};
+  options.limit_tolerance = -1e-6;
+  EXPECT_NE(message({}, options).find("limit_tolerance"), std::string::npos);
+  ObstacleRule rule;
+  rule.occupied_threshold = 0;
+  EXPECT_THROW(Referee(empty_grid(10, 10, 0.1), rule, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "refusals.h"
+#include "../support/refusals.h"
 #include "ros/control_loop.h"
 #include "ros/drive_conversions.h"
 

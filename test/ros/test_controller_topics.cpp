@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "refusals.h"
+#include "../support/refusals.h"
 #include "ros/controller_topics.h"
 #include "ros/tracking_marker.h"
 

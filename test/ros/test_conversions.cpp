@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/random.h"
-#include "refusals.h"
+#include "../support/refusals.h"
 #include "ros/conversions.h"
 
 namespace fourwis

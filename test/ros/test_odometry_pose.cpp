@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
-#include "refusals.h"
+#include "../support/refusals.h"
 #include "ros/conversions.h"
 #include "ros/odometry_pose.h"
 

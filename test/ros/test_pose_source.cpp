@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
+#include "../support/refusals.h"
 #include "inbox.h"
-#include "refusals.h"
 #include "ros/conversions.h"
 #include "ros/pose_source.h"
 

@@ -4,6 +4,7 @@
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
+#include "../support/refusals.h"
 
 namespace fourwis
 {
@@ -145,7 +146,8 @@ TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
   {
     options.max_expansions = most;
     std::vector<Pose> expanded;
-    const SearchResult result = find(site, request, {}, &expanded);
+    const SearchResult result = Search(SearchProblem{site.checker, request.start, request.goal, Interrupt()})
+                                    .find(options, request.modes, Effort::thorough, &expanded);
     EXPECT_EQ(result.status, PlanStatus::no_path);
     EXPECT_EQ(result.expansions, most);
     EXPECT_EQ(expanded.size(), static_cast<std::size_t>(most));
@@ -262,6 +264,24 @@ TEST_F(FrontEnd, FindsValidPathsInAllVariantsOfTheAblation)
       });
       EXPECT_GT(found, connect ? 7 : 1) << "connection " << connect << ", awareness " << aware;
     }
+}
+
+TEST_F(LongSearch, OptionsOutOfRangeAreRefusedByName)
+{
+  const auto distance = [](const Pose&) { return 0.0; };
+  for (double SearchOptions::*option : {&SearchOptions::reference_speed, &SearchOptions::step_time,
+                                        &SearchOptions::xy_resolution, &SearchOptions::heading_resolution})
+    for (const double bad : {0.0, -1.0, std::nan("")})
+    {
+      options = {};
+      options.*option = bad;
+      EXPECT_THROW(find(site, request), std::invalid_argument);
+      EXPECT_THROW(hybrid_astar(site.checker, site.robot, options, request, distance, {}), std::invalid_argument);
+    }
+  options = {};
+  options.max_expansions = 0;
+  EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { find(site, request); }),
+                   "'max_expansions' is 0, expected a whole number from 1 to 1e+09"));
 }
 
 }  // namespace

@@ -289,6 +289,12 @@ TEST(BaseSimulator, RefusesOptionsAndTimesThatMakeNoSense)
   options = {};
   options.slip.drive_slip = 2.0;
   EXPECT_THROW(BaseSimulator(robot, options), std::invalid_argument);
+  options = {};
+  options.seed = -1;
+  EXPECT_THROW(BaseSimulator(robot, options), std::invalid_argument);
+  Robot wide = robot;
+  wide.track_width = 0.7;
+  EXPECT_THROW(BaseSimulator(wide, {}), std::invalid_argument);
 }
 
 }  // namespace

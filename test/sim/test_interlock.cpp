@@ -183,6 +183,12 @@ TEST_F(InterlockOfWheels, RefusesOptionsThatMakeNoSense)
   options.aligned_angle = 0.0;
   EXPECT_THROW(Interlock{options}, std::invalid_argument);
   options = {};
+  // As the bridge's: the simulator once took a hundredth of it.
+  options.standstill_speed = 1e-4;
+  EXPECT_NO_THROW(Interlock{options});
+  options.standstill_speed = std::nextafter(1e-4, 0.0);
+  EXPECT_THROW(Interlock{options}, std::invalid_argument);
+  options = {};
   options.standstill_time = NAN;
   EXPECT_THROW(Interlock{options}, std::invalid_argument);
 }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/refusals.h"
 #include "random_stretch.h"
+#include "track/mpc.h"
 #include "track_fixture.h"
 
 namespace fourwis
@@ -208,6 +210,18 @@ TEST(Tracker, TheSameCallsGiveTheSameAnswers)
     EXPECT_EQ(a.motion.speed, b.motion.speed);
     EXPECT_EQ(a.sequence, b.sequence);
   }
+}
+
+TEST(Tracker, RefusesOptionsAndRobotsOutOfRangeByName)
+{
+  TrackOptions options;
+  options.lateral_scale = 0.0;
+  const std::string said = "'lateral_scale' is 0, expected a number from 0.001 to 1000 m";
+  EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { Tracker(Robot(), options); }), said));
+  EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { Mpc(Robot(), options); }), said));
+  Robot robot;
+  robot.wheelbase = 1.1;
+  EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { Tracker(robot, TrackOptions()); }), "'wheelbase' is 1.1"));
 }
 
 }  // namespace

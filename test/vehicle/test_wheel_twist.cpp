@@ -215,6 +215,9 @@ TEST_F(TwistOfWheels, RefusesOptionsThatMakeNoSense)
   EXPECT_THROW(WheelTwist(robot, {-0.01, 0.1, 0.0}), std::invalid_argument);
   EXPECT_THROW(WheelTwist(robot, {0.01, NAN, 0.0}), std::invalid_argument);
   EXPECT_THROW(WheelTwist(robot, {0.01, 0.1, 0.5}), std::invalid_argument);
+  Robot wide = robot;
+  wide.track_width = 2.0 * wide.width;
+  EXPECT_THROW(WheelTwist(wide, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -16,7 +16,19 @@ struct BoxOptions
   double coarse_step = 0.5;    ///< Delta d_1 [m]
   double fine_step = 0.05;     ///< Delta d_2 [m]
   double max_expansion = 5.0;  ///< d_max, of each side from the waypoint [m]
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("coarse_step", o.coarse_step, 1e-3, 1e3, "m");
+    row("fine_step", o.fine_step, 1e-3, 1e3, "m");
+    row("max_expansion", o.max_expansion, 1e-3, 1e3, "m");
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range; also unless fine_step <= coarse_step <= max_expansion.
+void check(const BoxOptions& options);
 
 /// `deficit` is one per knot.
 using BoxCorridorResult = CorridorResult<BoxCorridor>;
@@ -33,7 +45,7 @@ using BoxCorridorResult = CorridorResult<BoxCorridor>;
 /// Departures: boxes grow from the waypoint itself, since the paper's square of side Delta d_1 may collide beside a
 /// wall; no side goes beyond d_max, which the paper checks before a step only.
 ///
-/// Throws std::invalid_argument naming the option unless 0 < fine_step <= coarse_step <= max_expansion, all finite.
+/// Throws as check() does.
 BoxCorridorResult box_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs, const BoxOptions& options,
                                const std::vector<Pose>& knots);
 

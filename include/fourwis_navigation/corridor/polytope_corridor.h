@@ -14,8 +14,19 @@ namespace fourwis
 struct PolytopeOptions
 {
   double range = 2.0;        ///< a region reaches at most this far beyond its chord, ahead and to the sides [m]
-  int max_half_planes = 12;  ///< of one region, at least 4
+  int max_half_planes = 12;  ///< of one region
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("range", o.range, 1e-3, 1e3, "m");
+    row("max_half_planes", o.max_half_planes, 4, 1000);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const PolytopeOptions& options);
 
 /// `deficit` is one per interval.
 using PolytopeCorridor = CorridorResult<Corridor>;
@@ -39,8 +50,7 @@ using PolytopeCorridor = CorridorResult<Corridor>;
 /// reaches so far beyond the chord are d away from it.
 ///
 /// `shrink` (one per interval, or none) makes regions smaller [m] where a trajectory came too close between knots; not
-/// negative. Coinciding knots are fine. Throws std::invalid_argument naming the option unless `range` is positive and
-/// finite and `max_half_planes` at least 4.
+/// negative. Coinciding knots are fine. Throws as check() does.
 PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const DiscCover& discs,
                                    const PolytopeOptions& options, const std::vector<Pose>& knots,
                                    const std::vector<double>& shrink = {});

@@ -14,7 +14,7 @@ class BusBase
 {
 public:
   /// `bus` is the name for can::open_bus(). A bus that does not exist yet, or is gone, is looked for at every step.
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as FakeDrives does.
   BusBase(const std::string& bus, const Robot& robot, const can::BridgeOptions& bridge,
           const SimulatorOptions& simulator);
 

@@ -23,7 +23,7 @@ class FakeDrives
 {
 public:
   /// `bridge` describes the drives: nodes, counts, wheel radius, identity, bit rate; its other options are ignored. The
-  /// bus must outlive this. Throws std::invalid_argument naming the option, its value and the range.
+  /// bus must outlive this. Throws as the checks of robot and options do.
   FakeDrives(can::Bus& bus, const Robot& robot, const can::BridgeOptions& bridge, const SimulatorOptions& simulator);
   ~FakeDrives();
 

@@ -14,7 +14,7 @@ namespace fourwis
 class ObstacleMap
 {
 public:
-  /// Throws std::invalid_argument naming the field when the grid is unusable: see check_grid().
+  /// Throws std::invalid_argument naming the field when grid or rule are unusable: see check_grid() and check().
   explicit ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule = {});
 
   /// Distance from a point in the map frame to the nearest obstacle [m]; 0 inside one and outside the grid.

@@ -34,6 +34,17 @@ struct ObstacleRule
   {
     return cell < 0 || cell > 100 ? unknown_is_obstacle : cell >= occupied_threshold;
   }
+
+  /// The table of the options; see option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("occupied_threshold", o.occupied_threshold, 1, 100, "percent");
+    row("unknown_is_obstacle", o.unknown_is_obstacle);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const ObstacleRule& rule);
 
 }  // namespace fourwis

@@ -23,7 +23,29 @@ struct Robot
   double wheel_max_rate = M_PI;               ///< steering rate of each wheel about its own axis [rad/s]
   double wheel_max_speed = 2.0;               ///< rolling speed of each wheel [m/s]
   double safety_margin = 0.02;                ///< r_safe, added to the two discs that cover the body [m]
+
+  /// The table of the options; see option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("length", o.length, 0.05, 20.0, "m");
+    row("width", o.width, 0.05, 20.0, "m");
+    row("wheelbase", o.wheelbase, 0.01, 20.0, "m");
+    row("track_width", o.track_width, 0.01, 20.0, "m");
+    row("max_steering_angle", o.max_steering_angle, 0.01, M_PI * 80 / 180, "rad");
+    row("max_steering_rate", o.max_steering_rate, 0.01, 100.0, "rad/s");
+    row("max_speed", o.max_speed, 0.01, 20.0, "m/s");
+    row("max_acceleration", o.max_acceleration, 0.01, 50.0, "m/s^2");
+    row("mode_switch_time", o.mode_switch_time, 0.0, 60.0, "s");
+    row("wheel_max_angle", o.wheel_max_angle, 0.01, 10.0, "rad");
+    row("wheel_max_rate", o.wheel_max_rate, 0.01, 100.0, "rad/s");
+    row("wheel_max_speed", o.wheel_max_speed, 0.01, 50.0, "m/s");
+    row("safety_margin", o.safety_margin, 0.0, 1.0, "m");
+  }
 };
+
+/// Throws std::invalid_argument, naming key, value and range, unless all is in range and the wheels lie within the body.
+void check(const Robot& robot);
 
 /// Wheel order everywhere: front-left, front-right, rear-left, rear-right.
 inline constexpr int kWheels = 4;

@@ -10,7 +10,8 @@ namespace fourwis
 class IpoptSegmentOptimizer
 {
 public:
-  /// Keeps references to robot and options.
+  /// Keeps references to robot and options. Throws as their check() does, and unless the reference speed is positive and
+  /// finite.
   IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
   /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense is not solved.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fourwis_navigation/model/option_text.h"
+
 namespace fourwis
 {
 
@@ -34,6 +36,29 @@ struct OptimizeOptions
   double corridor_range = 2.0;     ///< a corridor's polytopes reach this far beyond the reference [m]
   int outer_iterations = 2;        ///< rounds of corridor and optimisation, the last to full accuracy
   int repairs = 3;                 ///< further rounds with smaller regions where the certificate fails
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("solver", o.solver, OneOf{"structured", "ipopt"});
+    row("formulation", o.formulation, OneOf{"default", "paper"});
+    row("knot_spacing", o.spacing, 0.01, 2.0, "m");
+    row("steering_comfort", o.steering_comfort, 0.0, 100.0);
+    row("interval_weight", o.interval_weight, 0.0, 100.0, "1/s");
+    row("corridor_weight", o.corridor_weight, 1.0, 1e6, "s/m");
+    row("shortest_interval", o.shortest_interval, 0.01, 0.9);
+    row("longest_interval", o.longest_interval, 1.1, 100.0);
+    row("longest_at_rest", o.longest_at_rest, 2.0, 100.0);
+    row("corridor_discs", o.corridor_discs, 1, 8);
+    row("polish_discs", o.polish_discs, 1, 8);
+    row("corridor_range", o.corridor_range, 0.1, 20.0, "m");
+    row("outer_iterations", o.outer_iterations, 1, 20);
+    row("repairs", o.repairs, 0, 20);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const OptimizeOptions& options);
 
 }  // namespace fourwis

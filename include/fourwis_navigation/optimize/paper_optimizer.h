@@ -16,7 +16,20 @@ struct PaperOptions
   double penalty = 1e6;           ///< alpha_penalty, weight of psi
   double tolerance = 1e-6;        ///< of Ipopt
   int max_iterations = 500;       ///< of Ipopt
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("steering_comfort", o.steering_comfort, 0.0, 1e6);
+    row("penalty", o.penalty, 1.0, 1e12);
+    row("tolerance", o.tolerance, 1e-12, 1.0);
+    row("max_iterations", o.max_iterations, 0, 1e6);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const PaperOptions& options);
 
 /// What became of one solve. `points` begin at t = 0 and are the N + 1 knots, T/N apart; wherever the solver ended,
 /// they are its last iterate. None if the problem is invalid.
@@ -48,8 +61,7 @@ struct PaperSolution
 class PaperOptimizer
 {
 public:
-  /// Keeps a reference to the robot. Throws std::invalid_argument naming the option, its value and the range, if one,
-  /// or the reference speed, is out of range.
+  /// Keeps a reference to the robot. Throws as the checks do, and unless the reference speed is positive and finite.
   PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed);
 
   /// Solves from the reference, driven in T = L / v_ref (21), or from `previous`, with as many points, where it is not

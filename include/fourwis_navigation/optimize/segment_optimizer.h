@@ -45,6 +45,8 @@ struct SegmentSolution
 class SegmentOptimizer
 {
 public:
+  /// Keeps references to robot and options. Throws as their check() does, and unless the reference speed is positive and
+  /// finite.
   SegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
   /// Solves to `tolerance`.

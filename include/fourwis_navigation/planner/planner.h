@@ -25,9 +25,21 @@ struct PlannerOptions
   OptimizeOptions optimize;
   RefereeOptions referee;
   double planner_patience = 5.0;  ///< wall-clock deadline of one plan [s]; then PlanStatus::timeout
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("planner_patience", o.planner_patience, 0.001, 3600.0, "s");
+    row.group("", o.obstacles);
+    row.group("", o.search);
+    row.group("", o.optimize);
+    row.group("", o.referee);
+  }
 };
 
-/// Throws std::invalid_argument, with a sentence, where options contradict each other.
+/// Throws std::invalid_argument, naming key, value and what was expected, where one is out of range or two contradict each
+/// other.
 void check(const PlannerOptions& options);
 
 /// What the stages leave behind, for pictures and markers; filled only when asked for.
@@ -45,7 +57,7 @@ struct PlanTrace
 struct World
 {
   World(const OccupancyGrid& grid, const Robot& robot,
-        const PlannerOptions& options);  ///< throws std::invalid_argument
+        const PlannerOptions& options);  ///< throws as the checks of all three do
 
   Robot robot;
   OccupancyGrid grid;

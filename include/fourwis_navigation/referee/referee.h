@@ -21,13 +21,28 @@ class ObstacleCells;
 /// What the referee insists on; DESIGN.md sections 3 and 8.
 struct RefereeOptions
 {
-  double collision_step = 0.01;      ///< greatest motion of any body point between two collision checks [m], >= 1e-4
+  double collision_step = 0.01;      ///< greatest motion of any body point between two collision checks [m]
   double rollout_position = 0.005;   ///< rolling out from one point must meet the next within this [m]
   double rollout_angle = 0.01;       ///< and this [rad]
   double endpoint_position = 0.001;  ///< start and goal are met within this [m]
   double endpoint_angle = 0.001;     ///< and this [rad]
   double limit_tolerance = 1e-6;     ///< relative excess of a limit that still counts as rounding
+
+  /// The table of the options; see model/option_check.h. What is fixed is the meaning of a trajectory, not a matter of taste.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("collision_step", o.collision_step, 0.0005, 0.01, "m");
+    row.fixed("rollout_position", o.rollout_position, 0.0, 1.0, "m");
+    row.fixed("rollout_angle", o.rollout_angle, 0.0, 1.0, "rad");
+    row.fixed("endpoint_position", o.endpoint_position, 0.0, 1.0, "m");
+    row.fixed("endpoint_angle", o.endpoint_angle, 0.0, 1.0, "rad");
+    row.fixed("limit_tolerance", o.limit_tolerance, 0.0, 1.0);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const RefereeOptions& options);
 
 /// One broken promise.
 struct Violation

@@ -23,7 +23,8 @@ struct SearchResult
 using DistanceToGoal = std::function<double(const Pose&)>;
 
 /// Hybrid A* over (x, y, theta, mode), the paper's Algorithm 1. Poses expanded are appended to `expanded` where it is not
-/// null.
+/// null. The options need not be in their ranges: Search halves cells and the planner weighs costs. Throws
+/// std::invalid_argument unless speed, step and cell are positive, finite numbers.
 SearchResult hybrid_astar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
                           const DistanceToGoal& distance, std::vector<Pose>* expanded = nullptr);
 

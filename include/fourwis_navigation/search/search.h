@@ -26,7 +26,8 @@ class Search
 public:
   explicit Search(const SearchProblem& problem);
 
-  /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null.
+  /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null. Options as hybrid_astar()
+  /// takes them.
   SearchResult find(const SearchOptions& options, const ModeSet& modes, Effort effort = Effort::thorough,
                     std::vector<Pose>* expanded = nullptr) const;
 

@@ -27,6 +27,32 @@ struct SearchOptions
 
   /// Length of a primitive [m].
   double primitive_length() const { return reference_speed * step_time; }
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("reference_speed", o.reference_speed, 0.01, 20.0, "m/s");
+    row("step_time", o.step_time, 0.01, 10.0, "s");
+    row("reverse_penalty", o.reverse_penalty, 0.0, 1000.0, "m");
+    row("lateral_reverse_penalty", o.lateral_reverse_penalty, 0.0, 1000.0, "m");
+    row("steering_penalty", o.steering_penalty, 0.0, 1000.0, "m/rad");
+    row("parallel_steering_penalty", o.parallel_steering_penalty, 0.0, 1000.0, "m/rad");
+    row("steering_change_penalty", o.steering_change_penalty, 0.0, 1000.0, "m/rad");
+    row("direction_change_penalty", o.direction_change_penalty, 0.0, 1000.0, "m");
+    row("heuristic_weight", o.heuristic_weight, 0.0, 100.0);
+    row("terminal_connection", o.terminal_connection);
+    row("switching_awareness", o.switching_awareness);
+    row("xy_resolution", o.xy_resolution, 0.01, 5.0, "m");
+    row("heading_resolution", o.heading_resolution, 0.01, 1.6, "rad");
+    row("xy_goal_tolerance", o.xy_goal_tolerance, 0.001, 5.0, "m");
+    row("yaw_goal_tolerance", o.yaw_goal_tolerance, 0.001, 3.15, "rad");
+    row("shortcut_passes", o.shortcut_passes, 0, 1000);
+    row("max_expansions", o.max_expansions, 1, 1e9);
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range.
+void check(const SearchOptions& options);
 
 }  // namespace fourwis

@@ -21,7 +21,7 @@ namespace fourwis
 class BaseSimulator
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   BaseSimulator(const Robot& robot, const SimulatorOptions& options);
 
   /// Places the robot at a pose, at rest. The wheels keep their angles, pending commands are lost.

@@ -19,7 +19,7 @@ using DrivenWheels = std::array<bool, kWheels>;
 class Body
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   Body(const Robot& robot, const SlipOptions& slip);
 
   /// Places the body at a pose, at rest.

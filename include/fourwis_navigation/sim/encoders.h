@@ -15,7 +15,7 @@ namespace fourwis
 class Encoders
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   Encoders(const EncoderOptions& options, int seed);
 
   void measure(const WheelMotion& truth);

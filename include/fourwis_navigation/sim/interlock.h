@@ -24,7 +24,7 @@ public:
     failed           ///< wheels did not stop or align in time; locked until reset()
   };
 
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   explicit Interlock(const InterlockOptions& options);
 
   /// Sets the commanded mode and angles.

@@ -17,7 +17,7 @@ namespace fourwis
 class Plant
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOptions& slip);
 
   /// Places the body at a pose, at rest. The wheels keep their angles.

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <variant>
-#include <vector>
 
 namespace fourwis
 {
@@ -53,21 +51,53 @@ struct TrackOptions
   double pose_timeout = 0.1;            ///< greatest age of the pose [s]
   double wheel_state_timeout = 0.1;     ///< greatest age of the wheels' state [s]
   double step_timeout = 0.3;            ///< longest time from one control step to the next [s]
+
+  /// The table of the options; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("controller_frequency", o.controller_frequency, 5.0, 500.0, "Hz");
+
+    row("horizon", o.horizon, 0.4, 10.0, "s");
+    row("knots", o.knots, 2, 200);
+    row("lateral_scale", o.lateral_scale, 1e-3, 1e3, "m");
+    row("longitudinal_scale", o.longitudinal_scale, 1e-3, 1e3, "m");
+    row("heading_scale", o.heading_scale, 1e-3, 1e3, "rad");
+    row("speed_scale", o.speed_scale, 1e-3, 1e3, "m/s");
+    row("steering_scale", o.steering_scale, 1e-3, 1e3, "rad");
+    row("acceleration_scale", o.acceleration_scale, 1e-3, 1e3, "m/s^2");
+    row("steering_rate_scale", o.steering_rate_scale, 1e-3, 1e3, "rad/s");
+
+    row("command_latency", o.command_latency, 0.0, 0.5, "s");
+    row("drive_lag", o.drive_lag, 0.0, 0.5, "s");
+    row("steering_lag", o.steering_lag, 0.0, 0.5, "s");
+
+    row("xy_start_tolerance", o.xy_start_tolerance, 1e-3, 1.0, "m");
+    row("yaw_start_tolerance", o.yaw_start_tolerance, 1e-3, 3.15, "rad");
+    row("xy_goal_tolerance", o.xy_goal_tolerance, 1e-3, 1.0, "m");
+    row("yaw_goal_tolerance", o.yaw_goal_tolerance, 1e-3, 3.15, "rad");
+    row("xy_switch_tolerance", o.xy_switch_tolerance, 1e-3, 1.0, "m");
+    row("yaw_switch_tolerance", o.yaw_switch_tolerance, 1e-3, 3.15, "rad");
+    row("max_xy_correction", o.max_xy_correction, 1e-3, 1.0, "m");
+    row("max_yaw_correction", o.max_yaw_correction, 1e-3, 3.15, "rad");
+    row("correction_speed", o.correction_speed, 0.01, 1.0, "m/s");
+    row("correction_timeout", o.correction_timeout, 0.0, 600.0, "s");
+    row("settle_time", o.settle_time, 0.0, 60.0, "s");
+    row("rest_speed", o.rest_speed, 1e-4, 1.0, "m/s");
+    row("alignment_timeout", o.alignment_timeout, 0.0, 600.0, "s");
+
+    row("max_lateral_error", o.max_lateral_error, 1e-3, 3.0, "m");
+    row("max_longitudinal_error", o.max_longitudinal_error, 1e-3, 3.0, "m");
+    row("max_heading_error", o.max_heading_error, 1e-3, 3.15, "rad");
+    row("max_wheel_error", o.max_wheel_error, 1e-2, 3.15, "rad");
+    row("clock_slack", o.clock_slack, 1e-3, 3.0, "m");
+    row("pose_timeout", o.pose_timeout, 0.01, 2.0, "s");
+    row("wheel_state_timeout", o.wheel_state_timeout, 0.01, 2.0, "s");
+    row("step_timeout", o.step_timeout, 0.01, 60.0, "s");
+  }
 };
 
-/// One of the options and what it may be; `name` is that of the member.
-struct TrackOptionRange
-{
-  const char* name;
-  std::variant<double TrackOptions::*, int TrackOptions::*> member;
-  double min, max;
-  const char* unit;
-};
-
-/// Of all of them.
-const std::vector<TrackOptionRange>& track_option_ranges();
-
-/// Throws std::invalid_argument naming the option, its value and the range. Some are limited together.
+/// Throws std::invalid_argument naming key, value and range. Some are limited together.
 void check(const TrackOptions& options);
 
 }  // namespace fourwis

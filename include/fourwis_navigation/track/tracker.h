@@ -57,7 +57,7 @@ struct TrackOutput
 class Tracker
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as their check() does.
   Tracker(const Robot& robot, const TrackOptions& options);
   ~Tracker();
 

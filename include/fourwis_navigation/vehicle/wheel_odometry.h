@@ -34,7 +34,7 @@ enum class OdometryStatus
 class WheelOdometry
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   WheelOdometry(const Robot& robot, const WheelTwistOptions& options, double longest_interval = 0.5);
 
   /// Takes what was measured at `stamp` [s]. What is refused changes nothing.

@@ -17,7 +17,18 @@ struct WheelTwistOptions
   double deviation = 0.01;     ///< standard deviation of a wheel's velocity, along and across its heading [m/s]
   double greatest_slip = 0.1;  ///< residual beyond which the wheel that fits least is left out [m/s]
   double axis_offset = 0.0;    ///< from the steering axis to the wheel, to the left of its heading [m]
+
+  /// The table of the options but `axis_offset`; see model/option_check.h.
+  template <class Self, class Row>
+  static void describe(Self& o, Row& row)
+  {
+    row("deviation", o.deviation, 0.0, 10.0, "m/s");
+    row("greatest_slip", o.greatest_slip, 0.0, 1e3, "m/s");
+  }
 };
+
+/// Throws std::invalid_argument naming key, value and range: of `axis_offset`, a quarter of the robot's wheelbase or track.
+void check(const Robot& robot, const WheelTwistOptions& options);
 
 /// A body's twist and how well it explains the wheels.
 struct TwistEstimate
@@ -36,7 +47,7 @@ struct TwistEstimate
 class WheelTwist
 {
 public:
-  /// Throws std::invalid_argument naming the option, its value and the range.
+  /// Throws as check() does.
   WheelTwist(const Robot& robot, const WheelTwistOptions& options);
 
   /// `steering_rate` of the wheels [rad/s] matters only with an offset: a wheel beside its axis rolls as it is steered,

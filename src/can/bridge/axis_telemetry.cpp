@@ -22,7 +22,7 @@ double signed_value(const SdoReply& reply)
 
 AxisTelemetry::AxisTelemetry(const BridgeOptions& options, int node) : node_(node)
 {
-  const auto temperature = static_cast<std::uint32_t>(options.temperature_object);
+  const std::uint32_t temperature = options.temperature_object;
   items_[0] = {kSupplyVoltage, kMillivolt};
   items_[1] = {{static_cast<std::uint16_t>(temperature >> 8), static_cast<std::uint8_t>(temperature)},
                options.temperature_unit};

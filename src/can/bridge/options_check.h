@@ -5,8 +5,8 @@
 namespace fourwis::can
 {
 
-/// Throws std::invalid_argument where options contradict each other or themselves, or ask for more than a drive's
-/// numbers can say, naming key and value.
+/// Throws std::invalid_argument as check(options) and check(robot) do, and where the options ask for more than a drive's
+/// numbers can say.
 void check(const Robot& robot, const BridgeOptions& options);
 
 }  // namespace fourwis::can

@@ -61,9 +61,8 @@ SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault refusal)
 }
 
 /// A number of 0 accepts every identity except 0.
-SdoStep expect_identity(ObjectId object, double number)
+SdoStep expect_identity(ObjectId object, std::uint32_t value)
 {
-  const auto value = static_cast<std::uint32_t>(number);
   return expect(value != 0 ? Kind::expect_equal : Kind::expect_bits, object, value, Fault::wrong_device);
 }
 

@@ -1,4 +1,5 @@
 #include "../node_main.h"
+#include "../parameter_server.h"
 #include "../simulated_drives.h"
 #include "../simulated_robot.h"
 

@@ -4,6 +4,7 @@
 
 #include "../can_bridge.h"
 #include "../node_main.h"
+#include "../parameter_server.h"
 
 namespace
 {

@@ -1,5 +1,6 @@
 #include "../global_planner.h"
 #include "../node_main.h"
+#include "../parameter_server.h"
 
 int main(int argc, char** argv)
 {

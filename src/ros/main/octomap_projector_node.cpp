@@ -1,6 +1,8 @@
 #include "../map_publisher.h"
 #include "../node_main.h"
+#include "../parameter_server.h"
 #include "fourwis_navigation/map/octomap_projection.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 int main(int argc, char** argv)
 {

@@ -18,7 +18,7 @@ namespace fourwis::can
 class Bridge
 {
 public:
-  /// Throws std::invalid_argument where options contradict each other, naming them.
+  /// Throws as the checks of both do, and where options ask for more than a drive's numbers can say.
   Bridge(const Robot& robot, const BridgeOptions& options);
   ~Bridge();
 

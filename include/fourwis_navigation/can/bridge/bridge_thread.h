@@ -29,8 +29,7 @@ struct BridgeUpdate
 class BridgeThread
 {
 public:
-  /// Starts at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws std::invalid_argument where
-  /// options contradict each other.
+  /// Starts at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws as Bridge does.
   BridgeThread(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority);
 
   /// Ends at once, even while the wheels move: call disable() and wait first. Otherwise the drives' own watchdogs stop

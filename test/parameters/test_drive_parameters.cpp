@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "refusals.h"
-#include "ros/drive_parameters.h"
+#include "../support/refusals.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {
@@ -129,7 +129,7 @@ TEST(DriveParameters, what_is_unknown_or_out_of_range_is_refused_by_name)
   somebody_elses_time["publish_clock"] = false;
   EXPECT_EQ(base_simulator_parameters_from(somebody_elses_time).node.publish_clock, false);
   EXPECT_TRUE(says(error_with(somebody_elses_time, base_simulator_parameters_from, "real_time_factor", 5.0),
-                   "'real_time_factor' is 5.000000, expected 1 where 'publish_clock' is false"));
+                   "'real_time_factor' is 5, expected 1 where 'publish_clock' is false"));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-#include "ros/can_bridge_parameters.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "refusals.h"
+#include "../support/refusals.h"
+#include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
 {
