@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs all tests. Exits non-zero when one fails or when none ran.
+# Installs what is missing, builds everything and runs all tests, then a few on a build without ROS. Exits non-zero when
+# one fails or when none ran.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -14,3 +15,5 @@ rm -rf "$build/test_results"
 cd "$build"
 "$root/scripts/can_vm/run_in_can_vm.sh" --which || true  # the test socketcan fails then
 ctest --output-on-failure --no-tests=error --timeout 300 --parallel "$(nproc)"
+
+"$root/scripts/test_core.sh"

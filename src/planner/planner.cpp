@@ -196,6 +196,10 @@ bool is_too_tight(const PlanResult& result)
 void check(const PlannerOptions& options)
 {
   check_ranges(options);
+  if (is_paper(options) && !has_ipopt())
+    reject_option("formulation", "'paper'", "'default': this program was built without Ipopt");
+  if (options.optimize.solver == NlpSolver::ipopt && !has_ipopt())
+    reject_option("solver", "'ipopt'", "'structured': this program was built without Ipopt");
   if (is_paper(options) && options.optimize.solver != NlpSolver::ipopt)
     reject_option("solver", "'structured'",
                   "'ipopt' where 'formulation' is 'paper': the structured solver has no penalties");

@@ -308,6 +308,7 @@ TEST_F(PlannerTest, AnswersWithAllItsStopsWhenTheTimeIsOverAfterTheSearch)
 
 TEST_F(PlannerTest, PlansOnIpoptWhatItPlansOnTheStructuredSolver)
 {
+  if (!has_ipopt()) GTEST_SKIP();
   const PlanRequest request = {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}};
   const World world(free_area(8.0, 6.0, 0.1), robot, options);
   const PlanResult structured = plan(world, request);
@@ -319,6 +320,7 @@ TEST_F(PlannerTest, PlansOnIpoptWhatItPlansOnTheStructuredSolver)
 
 TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
 {
+  if (!has_ipopt()) GTEST_SKIP();
   options.optimize.solver = NlpSolver::ipopt;
   options.optimize.formulation = Formulation::paper;
   options.search.steering_penalty = 0.0;
@@ -331,8 +333,9 @@ TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
   EXPECT_FALSE(bent.metrics.safe);
 }
 
-TEST_F(PlannerTest, RefusesThePapersFormulationWithoutIpopt)
+TEST_F(PlannerTest, RefusesThePapersFormulationOnTheStructuredSolver)
 {
+  if (!has_ipopt()) GTEST_SKIP();
   options.optimize.formulation = Formulation::paper;
   try
   {
@@ -345,6 +348,27 @@ TEST_F(PlannerTest, RefusesThePapersFormulationWithoutIpopt)
                  "parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': the structured "
                  "solver has no penalties");
   }
+}
+
+TEST_F(PlannerTest, IpoptIsRejectedByNameOnlyWhereItIsNotBuiltIn)
+{
+  PlannerOptions solver, paper;
+  solver.optimize.solver = paper.optimize.solver = NlpSolver::ipopt;
+  paper.optimize.formulation = Formulation::paper;
+  const auto refusal = [this](const PlannerOptions& changed) -> std::string {
+    try
+    {
+      Planner(robot, changed);
+      return "";
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return error.what();
+    }
+  };
+  const std::string why = ": this program was built without Ipopt";
+  EXPECT_EQ(refusal(solver), has_ipopt() ? "" : "parameter 'solver' is 'ipopt', expected 'structured'" + why);
+  EXPECT_EQ(refusal(paper), has_ipopt() ? "" : "parameter 'formulation' is 'paper', expected 'default'" + why);
 }
 
 TEST_F(PlannerTest, ShowsItsRoundsOnRequest)

@@ -15,6 +15,7 @@ public:
   IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
   /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense is not solved.
+  /// Throws std::logic_error where has_ipopt() is false.
   SegmentSolution solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const;
 
 private:

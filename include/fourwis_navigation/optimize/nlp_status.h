@@ -16,7 +16,20 @@ enum class NlpStatus
 };
 
 /// For messages: the enumerator's name.
-const char* to_string(NlpStatus status);
+inline const char* to_string(NlpStatus status)
+{
+  switch (status)
+  {
+    case NlpStatus::solved: return "solved";
+    case NlpStatus::acceptable: return "acceptable";
+    case NlpStatus::iteration_limit: return "iteration_limit";
+    case NlpStatus::infeasible: return "infeasible";
+    case NlpStatus::failed: return "failed";
+    case NlpStatus::interrupted: return "interrupted";
+    case NlpStatus::invalid_problem: return "invalid_problem";
+  }
+  return "";
+}
 
 inline bool is_solved(NlpStatus status)
 {

@@ -5,6 +5,9 @@
 namespace fourwis
 {
 
+/// Whether the library was built with Ipopt (FOURWIS_IPOPT). Without it NlpSolver::ipopt and Formulation::paper are rejected.
+bool has_ipopt();
+
 /// What solves a segment's problem.
 enum class NlpSolver
 {

@@ -65,7 +65,7 @@ public:
   PaperOptimizer(const Robot& robot, const PaperOptions& options, double reference_speed);
 
   /// Solves from the reference, driven in T = L / v_ref (21), or from `previous`, with as many points, where it is not
-  /// null. Never throws on any segment and boxes.
+  /// null. Never throws on any segment and boxes. Throws std::logic_error where has_ipopt() is false.
   PaperSolution solve(const Segment& segment, const BoxCorridor& boxes, const Trajectory* previous,
                       const Interrupt& interrupt) const;
 

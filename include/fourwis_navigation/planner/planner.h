@@ -38,8 +38,8 @@ struct PlannerOptions
   }
 };
 
-/// Throws std::invalid_argument, naming key, value and what was expected, where one is out of range or two contradict each
-/// other.
+/// Throws std::invalid_argument, naming key, value and what was expected, where one is out of range, two contradict each
+/// other, or one needs Ipopt and has_ipopt() is false.
 void check(const PlannerOptions& options);
 
 /// What the stages leave behind, for pictures and markers; filled only when asked for.

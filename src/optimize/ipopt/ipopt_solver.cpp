@@ -1,4 +1,4 @@
-#include "ipopt_solver.h"
+#include "../ipopt_solver.h"
 
 #include <IpIpoptApplication.hpp>
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "fourwis_navigation/model/option_check.h"
+#include "fourwis_navigation/optimize/optimize_options.h"
 #include "ipopt_program.h"
 
 namespace fourwis
@@ -57,19 +58,9 @@ NlpStatus status_of(Ipopt::ApplicationReturnStatus status)
 
 }  // namespace
 
-const char* to_string(NlpStatus status)
+bool has_ipopt()
 {
-  switch (status)
-  {
-    case NlpStatus::solved: return "solved";
-    case NlpStatus::acceptable: return "acceptable";
-    case NlpStatus::iteration_limit: return "iteration_limit";
-    case NlpStatus::infeasible: return "infeasible";
-    case NlpStatus::failed: return "failed";
-    case NlpStatus::interrupted: return "interrupted";
-    case NlpStatus::invalid_problem: return "invalid_problem";
-  }
-  return "";
+  return true;
 }
 
 bool is_valid(const Nlp& nlp)

@@ -3,8 +3,8 @@
 #include <IpTNLP.hpp>
 #include <vector>
 
+#include "../nlp.h"
 #include "fourwis_navigation/model/interrupt.h"
-#include "nlp.h"
 
 namespace fourwis
 {
