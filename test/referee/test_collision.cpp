@@ -276,28 +276,29 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
   EXPECT_GT(colliding, 20);
 }
 
-/// The corners of a long body that turns move several times as far as its centre.
+/// The corners of a long body that turns move several times as far as its centre. The post is met by the leading corner
+/// only; at the end it lies just in front of the body.
 TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
 {
   Robot robot;
   robot.length = 2.4;
   const double phi = 0.5, radius = robot.track_width / (2.0 * std::tan(phi)), ahead = radius + robot.length / 2;
-  const Script script = Script({3.0, 3.002, 0.0}, Mode::lateral, phi, robot).drive(0.8, 1.0);  // turns to the left
-  const Pose centre{script.start().x - radius, script.start().y, 0.0};                         // of the turn
-  const std::vector<Pose> poses = dense_poses(script);
   int met = 0;
   for (int k = 0; k < 60; ++k)
   {
     SCOPED_TRACE(k);
+    const Script script = Script({3.0, 3.002, 0.0}, Mode::lateral, phi, robot).drive(0.8, 0.5 + 0.01 * k);
+    const Pose centre{script.start().x - radius, script.start().y, 0.0};  // of the turn to the left
     OccupancyGrid grid = free_grid(600, 600, 0.01);
-    occupy(grid, 390, 268);  // beside the body, which moves away: where the least clearance is, all others are far
+    occupy(grid, 390, 268);  // beside the body at the start: the least clearance is there
     // Between the circle that the front edge touches and that of the corners.
-    const double angle = 0.3 + 0.02 * k, reach = ahead + 0.02;
+    const double angle = script.end().theta + 0.05, reach = ahead + 0.02;
     occupy(grid, static_cast<int>((centre.x + reach * std::cos(angle)) / 0.01),
            static_cast<int>((centre.y + reach * std::sin(angle)) / 0.01));
     const std::vector<Quad> cells = obstacles(grid, {});
     double expected = INFINITY;
-    for (const Pose& pose : poses) expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
+    for (const Pose& pose : dense_poses(script))
+      expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
     if (std::abs(expected) < 0.001) continue;
     const Verdict verdict = Referee(grid, {}, robot).judge(script.start(), script.end(), script.points());
     EXPECT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected;

@@ -129,6 +129,26 @@ TEST(BaseSimulator, ComesToRestBeforeItTurnsItsWheelsForAnotherMode)
   EXPECT_TRUE(has_driven);
 }
 
+/// Standstill is what is measured, not what the drives are told.
+TEST(BaseSimulator, DoesNotTurnWheelsThatRollOnAfterTheyAreToldToStand)
+{
+  SimulatorOptions options = ideal();
+  options.stop_deceleration = 10.0;
+  options.actuators.drive_acceleration = 1.0;
+  SimulatedDrive robot({}, options);
+  ASSERT_TRUE(robot.align(Mode::ackermann, 0.0));
+  robot.drive(Mode::ackermann, 0.8, 0.0, 2.0);
+  const WheelMotion wanted = robot.wheels_for(Mode::lateral, 0.0, 0.0);
+  bool has_turned = false;
+  for (int k = 0; k < 100; ++k)
+  {
+    robot.command(Mode::lateral, wanted, SimulatedDrive::kPeriod);
+    has_turned |= std::abs(robot.base.truth().angle[0]) > 0.01;
+    ASSERT_TRUE(!has_turned || fastest(robot.base.truth()) < 0.005);
+  }
+  EXPECT_TRUE(has_turned);
+}
+
 TEST(BaseSimulator, StopsOnItsArcAndHoldsTheAngles)
 {
   SimulatedDrive robot({}, ideal());

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+<<<<<<< ours
 #include "../support/refusals.h"
+=======
+#include "fourwis_navigation/vehicle/wheel_motion.h"
+>>>>>>> theirs
 #include "random_stretch.h"
 #include "track/mpc.h"
 #include "track_fixture.h"
@@ -161,6 +165,20 @@ TEST(Tracker, ErrorsAreToTheLeftAndAlongTheDirectionOfTravel)
       EXPECT_NEAR(turned.heading_error, kPush, kNear);
       EXPECT_NEAR(beside.heading_error, 0.0, kNear);
     }
+}
+
+TEST(Tracker, SaysTheSpeedAndTheSteeringAngleThatItCommands)
+{
+  for (const Mode mode : kPlannedModes)
+  {
+    Rig rig;
+    ASSERT_EQ(rig.tracker.accept(trajectory_of(rig.robot, {}, {{mode, 0.2, -5.0}})), "");
+    ASSERT_TRUE(rig.step_until_fast(0.9));
+    const ModeMotion commanded = mode_motion(rig.robot, mode, rig.output.command.motion);
+    EXPECT_NEAR(rig.output.speed, commanded.v, 0.05);
+    EXPECT_NEAR(rig.output.phi, commanded.phi, 0.02);
+    EXPECT_NEAR(rig.output.phi, 0.2, 0.05);
+  }
 }
 
 TEST(Tracker, TwentyHertzWillDo)

@@ -153,5 +153,23 @@ TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
   }
 }
 
+/// With a wheel left out, the errors of the twist are correlated.
+TEST_F(OdometryOfWheels, TurnsTheCovarianceOfTheTwistIntoItsFrame)
+{
+  WheelMotion wheels = wheel_motion(robot, Mode::ackermann, 0.5, 0.3);
+  wheels.speed[1] += 1.0;  // slips
+  odometry.set_pose({1.0, 2.0, 0.7});
+  odometry.update(5.0, wheels);
+  odometry.update(5.1, wheels);
+  const TwistEstimate& motion = odometry.state().motion;
+  ASSERT_EQ(motion.left_out, 1);
+  EXPECT_GT(std::abs(motion.covariance(0, 2)), 0.3 * motion.covariance(0, 0));
+  const double middle = 0.7 + motion.twist.omega * 0.05;
+  Eigen::Matrix3d turn;
+  turn << std::cos(middle), -std::sin(middle), 0.0, std::sin(middle), std::cos(middle), 0.0, 0.0, 0.0, 1.0;
+  const Eigen::Matrix3d expected = 0.01 * turn * motion.covariance * turn.transpose();
+  EXPECT_LT((odometry.state().pose_covariance - expected).norm(), 1e-6 * expected.norm());
+}
+
 }  // namespace
 }  // namespace fourwis
