@@ -1,4 +1,5 @@
 #include "../can/protocol/frame_bytes.h"
+#include "../support/fuzz_rounds.h"
 #include "../support/random.h"
 #include "bridge_fixture.h"
 
@@ -27,7 +28,7 @@ protected:
 TEST_F(BridgeAmongGarbage, NeverMovesAnythingThatWasNotEnabled)
 {
   command(Mode::ackermann, 0.0, 0.5);
-  for (int i = 0; i < 20000; ++i)
+  for (int i = 0; i < fuzz_rounds(20000); ++i)
   {
     if (random_.chance(0.1)) end->inject(garbage());
     if (random_.chance(0.001)) bridge.clear_faults(now());
@@ -40,7 +41,7 @@ TEST_F(BridgeAmongGarbage, NeverMovesAnythingThatWasNotEnabled)
 
 TEST_F(BridgeAmongGarbage, StopsForGoodOrGoesOnButWorksAgainWhenItIsOver)
 {
-  for (int round = 0; round < 50; ++round)
+  for (int round = 0; round < fuzz_rounds(50); ++round)
   {
     drive();
     double stopped = std::numeric_limits<double>::infinity();

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "../support/fuzz_rounds.h"
 #include "../support/random.h"
 #include "drive_bench.h"
 
@@ -39,7 +40,7 @@ TEST(DriveFuzz, RandomFramesNeverEnableADriveNobodyEnabled)
   Random random(kSeed);
   DriveBench bench;
   bench.boot();
-  for (int k = 0; k < 200000; ++k)
+  for (int k = 0; k < fuzz_rounds(200000); ++k)
   {
     const can::Frame frame = random_frame(random);
     if (!could_enable(frame)) bench.drive.receive(bench.time(), frame);
@@ -57,7 +58,7 @@ TEST(DriveFuzz, NothingBreaksIt)
   DriveBench bench;
   bench.boot();
   int enabled = 0;
-  for (int k = 0; k < 200000; ++k)
+  for (int k = 0; k < fuzz_rounds(200000); ++k)
   {
     bench.drive.receive(bench.time(), random_frame(random));
     if (random.chance(0.02)) bench.enable_if_possible();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/fuzz_rounds.h"
 #include "map_fixture.h"
 
 namespace fourwis
@@ -129,7 +130,7 @@ TEST_F(MapImage, SurvivesRandomDamage)
     write_bytes(folder_ / "map.yaml", yaml);
     write_bytes(folder_ / "map.pgm", small_pgm);
     int refused = 0;
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < fuzz_rounds(2000); ++i)
     {
       SCOPED_TRACE(name + ", seed 1, mutation " + std::to_string(i));
       write_bytes(folder_ / name, mutated(original, random));

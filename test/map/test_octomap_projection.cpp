@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "../support/fuzz_rounds.h"
 #include "map_bytes.h"
 
 namespace fourwis
@@ -254,7 +255,7 @@ TEST_F(OctomapProjection, RefusesAFileCutShortAnywhereAndSurvivesRandomDamage)
       EXPECT_NE(refusal_of(bytes.substr(0, size)), "") << size << " of " << bytes.size();
     EXPECT_EQ(refusal_of(bytes + "garbage"), "");
     int refused = 0;
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < fuzz_rounds(2000); ++i)
     {
       SCOPED_TRACE("seed 6, mutation " + std::to_string(i));
       ASSERT_NO_THROW(refused += refusal_of(mutated(bytes, random)).empty() ? 0 : 1);

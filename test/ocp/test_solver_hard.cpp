@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../support/fuzz_rounds.h"
 #include "random_problem.h"
 #include "shuttle_scene.h"
 
@@ -155,7 +156,7 @@ TEST(SolverHard, RandomNumbersAsAProblemAlwaysEnd)
   using Model = RandomModel<3, 2, 2, 1>;
   Solver<Model> solver;
   int solved = 0, unsolved = 0;
-  for (unsigned seed = 0; seed < 300; ++seed)
+  for (unsigned seed = 0; seed < static_cast<unsigned>(fuzz_rounds(300)); ++seed)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);

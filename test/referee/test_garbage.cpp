@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "../support/fuzz_rounds.h"
 #include "../support/grids.h"
 #include "referee_script.h"
 
@@ -64,7 +65,7 @@ TEST(VerifyGarbage, RandomGarbageInAGoodTrajectoryIsAnswered)
   const double values[] = {0.0, -0.0, kNan, INFINITY, 1e-320, 1e-9, 1.0, M_PI_2, 1e5, 9e8, -9e8, 1e9, 1e18, 1e300};
   Random random(11);
   const Script script = drive();
-  for (int k = 0; k < 5000; ++k)
+  for (int k = 0; k < fuzz_rounds(5000); ++k)
   {
     Trajectory points = script.points();
     for (int changes = random.whole(1, 12); changes > 0; --changes)

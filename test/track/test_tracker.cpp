@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-<<<<<<< ours
 #include "../support/refusals.h"
-=======
 #include "fourwis_navigation/vehicle/wheel_motion.h"
->>>>>>> theirs
 #include "random_stretch.h"
 #include "track/mpc.h"
 #include "track_fixture.h"

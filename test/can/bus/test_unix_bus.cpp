@@ -10,6 +10,7 @@
 #include <fstream>
 #include <thread>
 
+#include "../../support/fuzz_rounds.h"
 #include "../../support/random.h"
 #include "bus_laws.h"
 #include "temporary_directory.h"
@@ -193,7 +194,7 @@ TEST_F(UnixBusTest, IgnoresGarbage)
   const auto end = rig.open();
   const int rogue = connect_to(fs::directory_iterator(rig.ends())->path());
   Random random(11);
-  for (int n = 0; n < 5000; ++n)
+  for (int n = 0; n < fuzz_rounds(5000); ++n)
   {
     unsigned char bytes[64];
     for (unsigned char& byte : bytes) byte = static_cast<unsigned char>(random.whole(0, 255));

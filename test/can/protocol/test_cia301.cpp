@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../support/fuzz_rounds.h"
 #include "frame_bytes.h"
 
 namespace fourwis::can
@@ -89,7 +90,7 @@ TEST(Cia301, DecodersTakeNothingButTheirOwnMessages)
 {
   Random random(2);
   int heartbeats = 0, emergencies = 0;
-  for (int i = 0; i < 200000; ++i)
+  for (int i = 0; i < fuzz_rounds(200000); ++i)
   {
     const Frame frame = i % 2 ? random_frame(random) : random_frame(random, random.chance(0.5) ? 0x701 : 0x081);
     const auto heartbeat = decode_heartbeat(frame);

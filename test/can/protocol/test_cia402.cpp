@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../support/fuzz_rounds.h"
 #include "frame_bytes.h"
 
 namespace fourwis::can
@@ -169,7 +170,7 @@ TEST(Cia402, DecodersTakeNothingButTheirOwnMessages)
 {
   Random random(6);
   int statuses = 0, motions = 0;
-  for (int i = 0; i < 200000; ++i)
+  for (int i = 0; i < fuzz_rounds(200000); ++i)
   {
     const Frame frame = i % 2 ? random_frame(random) : random_frame(random, random.chance(0.5) ? 0x181 : 0x281);
     const std::uint32_t base = frame.id & 0x780;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../support/fuzz_rounds.h"
 #include "frame_bytes.h"
 
 namespace fourwis::can
@@ -40,7 +41,7 @@ TEST(ControllerNotice, TheControllersStateIsInTheSecondByteOfItsClassOnly)
 TEST(ControllerNotice, FramesOfTheBusAreNone)
 {
   Random random(9);
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < fuzz_rounds(100000); ++i)
   {
     const Frame frame = random_frame(random);
     EXPECT_EQ(decode_notice(frame).has_value(), frame.error);

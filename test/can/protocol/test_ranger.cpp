@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../support/fuzz_rounds.h"
 #include "frame_bytes.h"
 
 namespace fourwis::can
@@ -73,7 +74,7 @@ TEST(Ranger, DecodersTakeNothingButTheirOwnMessages)
 {
   Random random(8);
   int taken = 0;
-  for (int i = 0; i < 200000; ++i)
+  for (int i = 0; i < fuzz_rounds(200000); ++i)
   {
     const std::uint32_t ids[] = {0x211, 0x221, 0x271, 0x281, 0x291};
     const Frame frame = i % 2 ? random_frame(random) : random_frame(random, ids[random.whole(0, 4)]);

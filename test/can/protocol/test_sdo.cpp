@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../support/fuzz_rounds.h"
 #include "frame_bytes.h"
 
 namespace fourwis::can
@@ -93,7 +94,7 @@ TEST(Sdo, AnythingElseIsRefused)
 {
   Random random(4);
   int taken = 0;
-  for (int i = 0; i < 200000; ++i)
+  for (int i = 0; i < fuzz_rounds(200000); ++i)
   {
     const Frame frame = random.chance(0.5) ? random_frame(random) : random_frame(random, 0x581);
     const auto reply = decode_sdo_reply(frame);
