@@ -95,19 +95,22 @@ struct Car : ModelBase<4, 3, 3>
   void rows(std::size_t, const RowPoint& q, RowValues values) const
   {
     const double x = q[0] + ahead * std::cos(q[2]), y = q[1] + ahead * std::sin(q[2]);
-    Eigen::Index i = 0;
-    for (const auto& [nx, ny] : half_planes) values[i++] = nx * x + ny * y;
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+    {
+      const auto [nx, ny] = half_planes[static_cast<std::size_t>(i)];
+      values[i] = nx * x + ny * y;
+    }
   }
 
   void differentiate_rows(std::size_t, const RowPoint& q, RowMultipliers y, Gradients gradients,
                           RowHessian& hessian) const
   {
     const double dx = -ahead * std::sin(q[2]), dy = ahead * std::cos(q[2]);
-    Eigen::Index i = 0;
-    for (const auto& [nx, ny] : half_planes)
+    for (Eigen::Index i = 0; i < y.size(); ++i)
     {
+      const auto [nx, ny] = half_planes[static_cast<std::size_t>(i)];
       gradients.col(i) << nx, ny, nx * dx + ny * dy;
-      hessian(2, 2) += y[i++] * (ny * dx - nx * dy);
+      hessian(2, 2) += y[i] * (ny * dx - nx * dy);
     }
   }
 

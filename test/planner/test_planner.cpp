@@ -355,10 +355,10 @@ TEST_F(PlannerTest, IpoptIsRejectedByNameOnlyWhereItIsNotBuiltIn)
   PlannerOptions solver, paper;
   solver.optimize.solver = paper.optimize.solver = NlpSolver::ipopt;
   paper.optimize.formulation = Formulation::paper;
-  const auto refusal = [this](const PlannerOptions& changed) -> std::string {
+  const auto refusal = [](const PlannerOptions& changed) -> std::string {
     try
     {
-      Planner(robot, changed);
+      Planner{changed};
       return "";
     }
     catch (const std::invalid_argument& error)

@@ -105,14 +105,17 @@ TEST(ThreadBudgetTest, GivesAnInnerLoopTheThreadsThatTheOuterDoesNotNeed)
 
 TEST(ThreadBudgetTest, GivesAnInnerLoopTheThreadThatIsDoneWithTheOuterOrWaitsForIt)
 {
-  ThreadBudget budget(2);
-  for (int repetition = 0; repetition < 5; ++repetition)
+  const std::thread::id caller = std::this_thread::get_id();
+  for (bool caller_goes_on : {false, true})
   {
-    std::atomic<int> outer{0};
+    ThreadBudget budget(2);
+    std::atomic<int> begun{0};
     Census census;
     budget.for_each(2, [&](std::size_t) {
-      // The first one ends at once; the other goes on until it has company.
-      if (outer++ == 0) return;
+      ++begun;
+      while (begun < 2) std::this_thread::yield();
+      // One of the two threads ends here. The other goes on until it has company in its inner loop.
+      if ((std::this_thread::get_id() == caller) != caller_goes_on) return;
       while (census.most() < 2) budget.for_each(2, [&](std::size_t) { census.work(); });
     });
     EXPECT_EQ(census.most(), 2);

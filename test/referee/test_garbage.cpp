@@ -162,7 +162,7 @@ TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
   EXPECT_NE(message({}, options).find("limit_tolerance"), std::string::npos);
   ObstacleRule rule;
   rule.occupied_threshold = 0;
-  EXPECT_THROW(Referee(empty_grid(10, 10, 0.1), rule, {}), std::invalid_argument);
+  EXPECT_THROW(Referee(free_grid(10, 10, 0.1), rule, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(GlobalPlannerNode, a_bad_parameter_stops_it_naming_key_value_and_range)
 {
   expect_refused({{"robot/length", -1.0}}, {"'length'", "-1", "0.05 to 20"});
   expect_refused({{"planner/heuristic_weight", std::string("much")}}, {"'heuristic_weight'", "'much'", "0 to 100"});
-  expect_refused({{"start_from", std::string("nowhere")}}, {"'start_from'", "'nowhere'", "'tf' or 'initialpose'"});
+  expect_refused({{"start_from", std::string("nowhere")}}, {"'start_from'", "'nowhere'", "one of tf, initialpose"});
 }
 
 TEST(GlobalPlannerNode, an_unknown_parameter_stops_it_by_name)
@@ -96,7 +96,7 @@ TEST(GlobalPlannerNode, a_missing_parameter_stops_it_by_name)
   ros::param::del("/bare");
   set_parameters("/bare", read_parameter_file(kConfig + "global_planner.yaml"));
   expect_ends_with("global_planner_node", {"__name:=bare"}, "wheelbase");
-  expect_ends_with("global_planner_node", {"__name:=naked"}, "missing parameter 'global_frame'");
+  expect_ends_with("global_planner_node", {"__name:=naked"}, "in 'robot': missing parameter length, width");
 }
 
 /// What a latched topic says to a subscriber that comes when the node already runs; null when it has another type.

@@ -168,7 +168,7 @@ TEST(Markers, iterations_are_lines_the_later_the_more_opaque)
 {
   const auto line = [](double y) {
     Trajectory points(3);
-    for (int k = 0; k < 3; ++k) points[k].x = k, points[k].y = y;
+    for (std::size_t k = 0; k < 3; ++k) points[k].x = static_cast<double>(k), points[k].y = y;
     return points;
   };
   const Marker marker = iteration_marker({line(0.0), line(1.0)}, {});

@@ -53,7 +53,7 @@ double cost(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
     HorizonModel::Value value;
-    model.evaluate(static_cast<int>(k), x, inputs[k], ErrorState::Zero(), value);
+    model.evaluate(k, x, inputs[k], ErrorState::Zero(), value);
     sum += value.cost;
     x = value.defect;
   }

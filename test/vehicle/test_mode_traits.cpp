@@ -72,7 +72,10 @@ TEST_F(Traits, SayCurvatureItsSlopeAndTheTurningRadius)
     constexpr double h = 1e-6;
     const double kappa = curvature(robot, mode, phi);
     EXPECT_NEAR(body_twist(robot, mode, v, phi).omega, v * kappa, kAccuracy);
-    if (traits.turns_with_phi()) EXPECT_NEAR(kappa, curvature_gain(robot, mode) * std::tan(phi), kAccuracy * 10.0);
+    if (traits.turns_with_phi())
+    {
+      EXPECT_NEAR(kappa, curvature_gain(robot, mode) * std::tan(phi), kAccuracy * 10.0);
+    }
     const double slope = (curvature(robot, mode, phi + h) - curvature(robot, mode, phi - h)) / (2.0 * h);
     EXPECT_NEAR(curvature_slope(robot, mode, phi), slope, 1e-5 * (1.0 + std::abs(slope)));
     // The point at that distance to the left of the course, or to its right, stands still.
@@ -145,8 +148,14 @@ TEST_F(Traits, LimitPhiWhereTheCurvatureGrowsWithoutBound)
 {
   for (const ModeTraits& traits : kModeTraits)
   {
-    if (traits.turns_with_phi()) EXPECT_EQ(max_phi(robot, traits.mode), robot.max_steering_angle);
-    if (traits.follows_phi) EXPECT_EQ(max_phi(robot, traits.mode), robot.wheel_max_angle);
+    if (traits.turns_with_phi())
+    {
+      EXPECT_EQ(max_phi(robot, traits.mode), robot.max_steering_angle);
+    }
+    if (traits.follows_phi)
+    {
+      EXPECT_EQ(max_phi(robot, traits.mode), robot.wheel_max_angle);
+    }
   }
 }
 

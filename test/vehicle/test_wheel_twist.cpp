@@ -180,13 +180,13 @@ TEST_F(TwistOfWheels, HasTheCovarianceThatNoiseCauses)
   // Wheels along and across, so that noise of angles and speeds is noise of the velocities.
   const Twist twist{0.5, 0.0, 0.0};
   const WheelMotion wheels = wheel_motion(robot, Mode::parallel, 0.5, 0.0);
-  Random random(kSeed);
+  Random noise(kSeed);
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero(), claimed = Eigen::Matrix3d::Zero();
   for (int k = 0; k < kSamples; ++k)
   {
     WheelMotion measured = wheels;
-    for (double& speed : measured.speed) speed += random.normal(kDeviation);
-    for (double& angle : measured.angle) angle += random.normal(kDeviation) / 0.5;
+    for (double& speed : measured.speed) speed += noise.normal(kDeviation);
+    for (double& angle : measured.angle) angle += noise.normal(kDeviation) / 0.5;
     const TwistEstimate estimate = noisy.estimate(measured);
     const Eigen::Vector3d error(estimate.twist.vx - twist.vx, estimate.twist.vy - twist.vy,
                                 estimate.twist.omega - twist.omega);
