@@ -96,7 +96,7 @@ enum class Missing
   keeps_its_default
 };
 
-/// Sets each member from the key of its name. Throws ConfigError for an unknown key, for one that is missing and refused, and
+/// Sets each member from the key of its name. Throws ConfigError for an unknown key, for one that is missing and rejected, and
 /// for a value that is none of what it may be. `others` are known as well, for the text of the error.
 void set_from(const ParameterMap& given, const std::vector<Parameter>& parameters,
               Missing missing = Missing::is_rejected, const std::vector<std::string>& others = {});

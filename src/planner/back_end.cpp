@@ -117,7 +117,7 @@ void BackEnd::polish(Refinement& refinement) const
   if (!later(polished.trajectory, refinement.trajectory)) refinement = std::move(polished);
 }
 
-/// Optimises a part, with the knots closer and closer together where that is the trouble.
+/// Optimises a part. Where there are too few knots it tries again with more of them.
 RefinedPart BackEnd::refine(const PathPart& part) const
 {
   RefinedPart result;

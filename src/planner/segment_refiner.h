@@ -18,7 +18,7 @@ namespace fourwis
 struct RefinedSegment
 {
   bool solved = false;
-  bool too_coarse = false;              ///< what happens between the knots is the trouble: try again with more of them
+  bool too_coarse = false;              ///< the motion between the knots is not valid: more knots may help
   std::string message;                  ///< why it is not solved
   std::vector<RefinementRound> rounds;  ///< the last one's points are the result
   int solver_iterations = 0;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
+#include "fourwis_navigation/model/sentence.h"
 #include "rollout.h"
 
 namespace fourwis::referee
@@ -13,33 +14,34 @@ namespace
 
 constexpr double kTouch = 1e-9;  // an overlap of this depth is still a touch [m]
 
-// Clearances that exceed the least one so far by more than the look-ahead are not told apart. It follows what was seen.
+// Clearances that exceed the least one so far by more than the look-ahead count as equal. The look-ahead is adapted to
+// the last clearance seen.
 constexpr double kLeastLookAhead = 0.05;  // [m]
 constexpr double kMostLookAhead = 0.8;    // [m]
 
 constexpr double kMostMotion = 2e4;     // of the body, and of its angles, along one trajectory [m, rad]
 constexpr long kMostLooks = 1'000'000;  // at the grid for one trajectory
 
-/// Moves the body along the trajectory and looks at the grid no more often than needed: no body point can reach an
-/// obstacle before it has moved by the clearance last seen.
+/// Moves the body along the trajectory and looks at the grid no more often than needed. No point of the body can reach an
+/// obstacle before it has moved by the clearance that was seen last.
 class Sweep
 {
 public:
-  Sweep(const Court& court, const ObstacleCells& cells, Verdict& verdict)
-    : court_(court),
+  Sweep(const Judgement& judgement, const ObstacleCells& cells, Verdict& verdict)
+    : judgement_(judgement),
       cells_(cells),
       verdict_(verdict),
-      step_(court.options.collision_step),
-      half_length_(court.robot.length / 2),
-      half_width_(court.robot.width / 2),
+      step_(judgement.options.collision_step),
+      half_length_(judgement.robot.length / 2),
+      half_width_(judgement.robot.width / 2),
       radius_(std::hypot(half_length_, half_width_)),
       least_(INFINITY)
   {}
 
   void run()
   {
-    court_.report.next_kind();
-    const Trajectory& points = court_.trajectory;
+    judgement_.report.next_kind();
+    const Trajectory& points = judgement_.trajectory;
     look_at_point(0);
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
@@ -49,21 +51,21 @@ public:
         jump(points[i].pose(), points[i + 1].pose());
       if (exhausted_)
       {
-        court_.report.add(i, points[i].t, "motion too long to be judged");
+        judgement_.report.add(i, points[i].t, "motion too long to be judged");
         break;
       }
-      if (sure_ <= 0.0 || credit_ <= 0.0 || i + 2 == points.size()) look_at_point(i + 1);
+      if (safe_motion_ <= 0.0 || motion_to_next_look_ <= 0.0 || i + 2 == points.size()) look_at_point(i + 1);
     }
     verdict_.min_clearance = least_;
   }
 
 private:
-  /// From point i to the next, looking wherever the credit is used up.
+  /// From point i to the next, looking at the grid when the motion to the next look is used up.
   void roll(std::size_t i)
   {
-    const TrajectoryPoint &from = court_.trajectory[i], &to = court_.trajectory[i + 1];
+    const TrajectoryPoint &from = judgement_.trajectory[i], &to = judgement_.trajectory[i + 1];
     const double duration = to.t - from.t;
-    Rollout rollout(court_.robot, from, to);
+    Rollout rollout(judgement_.robot, from, to);
     const double motion_per_length = 1.0 + radius_ * rollout.greatest_curvature();
     if (!affordable(rollout.greatest_speed() * duration * (motion_per_length + rollout.greatest_curvature()) +
                     std::abs(to.phi - from.phi)))
@@ -72,20 +74,20 @@ private:
     {
       const double motion_per_share = rollout.greatest_speed() * duration * motion_per_length;
       const double moved = motion_per_share * rollout.remaining();
-      if (moved <= credit_ || collided_at(i))
+      if (moved <= motion_to_next_look_ || collided_at(i))
       {
         rollout.advance(rollout.remaining());
-        spend(moved);
+        move_by(moved);
         break;
       }
-      rollout.advance(credit_ / motion_per_share);
-      spend(credit_);
+      rollout.advance(motion_to_next_look_ / motion_per_share);
+      move_by(motion_to_next_look_);
       look(i, from.t + (1.0 - rollout.remaining()) * duration, rollout);
     }
     if (!exhausted_) compare(i, rollout);
   }
 
-  /// Whether the motion of one more interval may be followed: garbage must not keep the referee busy for ever.
+  /// Whether the motion of one more interval may be followed. The bound keeps the time that garbage takes finite.
   bool affordable(double motion)
   {
     motion_ += motion;
@@ -96,31 +98,34 @@ private:
   /// The rolled-out end against the stated next point.
   void compare(std::size_t i, const Rollout& rollout)
   {
-    const TrajectoryPoint& next = court_.trajectory[i + 1];
+    const TrajectoryPoint& next = judgement_.trajectory[i + 1];
     const Pose end{rollout.x(), rollout.y(), rollout.theta()};
     const double position = distance(end, next.pose()), angle = std::abs(end.theta - next.theta);
     verdict_.max_rollout_position = std::max(verdict_.max_rollout_position, position);
     verdict_.max_rollout_angle = std::max(verdict_.max_rollout_angle, angle);
-    if (!(position <= court_.options.rollout_position))
-      court_.report.add(i, court_.trajectory[i].t, "distance from the rolled-out motion to the next point", position,
-                        court_.options.rollout_position, "m");
-    if (!(angle <= court_.options.rollout_angle))
-      court_.report.add(i, court_.trajectory[i].t, "angle from the rolled-out motion to the next point", angle,
-                        court_.options.rollout_angle, "rad");
+    if (!(position <= judgement_.options.rollout_position))
+      judgement_.report.add(i, judgement_.trajectory[i].t, "distance from the rolled-out motion to the next point",
+                            position, judgement_.options.rollout_position, "m");
+    if (!(angle <= judgement_.options.rollout_angle))
+      judgement_.report.add(i, judgement_.trajectory[i].t, "angle from the rolled-out motion to the next point", angle,
+                            judgement_.options.rollout_angle, "rad");
     jump(end, next.pose());
   }
 
-  void jump(const Pose& from, const Pose& to) { spend(distance(from, to) + radius_ * std::abs(to.theta - from.theta)); }
-
-  void spend(double motion)
+  void jump(const Pose& from, const Pose& to)
   {
-    sure_ -= motion;
-    credit_ -= motion;
+    move_by(distance(from, to) + radius_ * std::abs(to.theta - from.theta));
+  }
+
+  void move_by(double motion)
+  {
+    safe_motion_ -= motion;
+    motion_to_next_look_ -= motion;
   }
 
   void look_at_point(std::size_t i)
   {
-    const TrajectoryPoint& p = court_.trajectory[i];
+    const TrajectoryPoint& p = judgement_.trajectory[i];
     look(i, p.t, p.x, p.y, p.theta, std::cos(p.theta), std::sin(p.theta));
   }
 
@@ -134,7 +139,7 @@ private:
     if (++looks_ > kMostLooks) exhausted_ = true;
     const Box touching = cells_.box(x, y, cosine, sine, half_length_ - kTouch, half_width_ - kTouch);
     const bool inside = cells_.contains(touching);
-    const bool in_doubt = sure_ <= 0.0;
+    const bool in_doubt = safe_motion_ <= 0.0;
     const std::optional<Cell> hit = inside && in_doubt ? cells_.overlapped(touching) : std::nullopt;
     double clearance = 0.0;
     if (!inside || hit)
@@ -145,11 +150,11 @@ private:
                   cells_.resolution();
     least_ = std::min(least_, clearance);
     look_ahead_ = std::clamp(2.0 * (clearance - least_), kLeastLookAhead, kMostLookAhead);
-    sure_ = clearance;
-    // Finer than the step where obstacles are near; further apart where neither a collision nor a new least clearance
-    // can lie between.
-    const double dull = std::max({clearance - least_, least_ / 4.0, step_});
-    credit_ = std::max(step_ / 8.0, std::min(clearance, dull));
+    safe_motion_ = clearance;
+    // Near obstacles the looks are closer together than the step. They are farther apart where neither a collision nor a
+    // new least clearance can lie between them.
+    const double spacing = std::max({clearance - least_, least_ / 4.0, step_});
+    motion_to_next_look_ = std::max(step_ / 8.0, std::min(clearance, spacing));
   }
 
   /// One sentence for each interval.
@@ -158,27 +163,23 @@ private:
     if (collided_at(i)) return;
     collided_ = true;
     collision_ = i;
-    char text[200];
-    int end = std::snprintf(text, sizeof(text), "collision: the body at (%.9g m, %.9g m, %.9g rad) ", pose.x, pose.y,
-                            pose.theta);
-    if (hit)
-      std::snprintf(text + end, sizeof(text) - static_cast<std::size_t>(end),
-                    "overlaps the obstacle cell in column %d, row %d", hit->column, hit->row);
-    else
-      std::snprintf(text + end, sizeof(text) - static_cast<std::size_t>(end), "leaves the grid");
-    court_.report.add(i, t, text);
+    const std::string what =
+        hit ? sentence("overlaps the obstacle cell in column %d, row %d", hit->column, hit->row) : "leaves the grid";
+    judgement_.report.add(
+        i, t,
+        sentence("collision: the body at (%.9g m, %.9g m, %.9g rad) %s", pose.x, pose.y, pose.theta, what.c_str()));
   }
 
   bool collided_at(std::size_t i) const { return collided_ && collision_ == i; }
 
-  const Court& court_;
+  const Judgement& judgement_;
   const ObstacleCells& cells_;
   Verdict& verdict_;
   const double step_, half_length_, half_width_, radius_;
   double least_;  ///< clearance so far [m]
   double look_ahead_ = kMostLookAhead;
-  double sure_ = 0.0;    ///< motion that cannot lead into an obstacle [m]; may be less than the credit
-  double credit_ = 0.0;  ///< motion until the next look [m]
+  double safe_motion_ = 0.0;          ///< the body cannot reach an obstacle within this motion [m]
+  double motion_to_next_look_ = 0.0;  ///< the grid is looked at after this motion [m]; may exceed safe_motion_
   long looks_ = 0;
   double motion_ = 0.0;  ///< bound on what was followed so far [m, rad]
   bool exhausted_ = false;
@@ -188,9 +189,9 @@ private:
 
 }  // namespace
 
-void check_motion(const Court& court, const ObstacleCells& cells, Verdict& verdict)
+void check_motion(const Judgement& judgement, const ObstacleCells& cells, Verdict& verdict)
 {
-  Sweep(court, cells, verdict).run();
+  Sweep(judgement, cells, verdict).run();
 }
 
 }  // namespace fourwis::referee

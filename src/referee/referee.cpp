@@ -7,8 +7,8 @@
 #include "fourwis_navigation/model/option_check.h"
 #include "motion.h"
 #include "obstacle_cells.h"
-#include "promises.h"
 #include "rollout.h"
+#include "rules.h"
 
 namespace fourwis
 {
@@ -60,15 +60,15 @@ Verdict Referee::judge(const Pose& start, const Pose& goal, const Trajectory& tr
 {
   Verdict verdict;
   referee::Report report;
-  const referee::Court court{robot_, options_, trajectory, report};
-  if (referee::check_form(court))
+  const referee::Judgement judgement{robot_, options_, trajectory, report};
+  if (referee::check_form(judgement))
   {
     verdict.terminal_position_error = distance(trajectory.back().pose(), goal);
     verdict.terminal_yaw_error = std::abs(wrap_angle(trajectory.back().theta - goal.theta));
-    referee::check_ends(court, start, goal);
-    referee::check_limits(court);
-    referee::check_wheels(court);
-    referee::check_motion(court, *cells_, verdict);
+    referee::check_ends(judgement, start, goal);
+    referee::check_limits(judgement);
+    referee::check_wheels(judgement);
+    referee::check_motion(judgement, *cells_, verdict);
   }
   verdict.violations = report.sorted();
   return verdict;

@@ -1,7 +1,8 @@
 #include "report.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "fourwis_navigation/model/sentence.h"
 
 namespace fourwis::referee
 {
@@ -16,9 +17,7 @@ void Report::add(std::size_t point, double t, const std::string& what)
 void Report::add(std::size_t point, double t, const char* quantity, double value, double limit, const char* unit)
 {
   if (full()) return;
-  char text[200];
-  std::snprintf(text, sizeof(text), "%s %.9g %s, limit %.9g %s", quantity, value, unit, limit, unit);
-  add(point, t, text);
+  add(point, t, sentence("%s %.9g %s, limit %.9g %s", quantity, value, unit, limit, unit));
 }
 
 std::vector<Violation> Report::sorted() const

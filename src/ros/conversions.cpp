@@ -14,7 +14,7 @@ namespace
 void check_quaternion(const geometry_msgs::Quaternion& q, const std::string& name)
 {
   const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  // Written so that NaN, too, is refused.
+  // Written so that NaN, too, is rejected.
   if (!(std::abs(norm - 1.0) <= kQuaternionTolerance))
     reject<ConversionError>(name, ": orientation (", q.x, ", ", q.y, ", ", q.z, ", ", q.w, ") has norm ", norm,
                             ", expected a quaternion of norm 1 within ", kQuaternionTolerance);

@@ -42,22 +42,22 @@ inline constexpr double kMaxTilt = 0.05;
 /// A robot on a ramp is tilted, and localisation says so; steeper than this, its transform is wrong [rad].
 inline constexpr double kMaxRobotTilt = 0.35;
 
-/// `name` is what the pose is called in errors. Refuses numbers that are not finite, quaternions that are not
+/// `name` is what the pose is called in errors. Rejects numbers that are not finite, quaternions that are not
 /// normalised and poses tilted by more than `max_tilt` [rad]. The height is not looked at.
 Pose to_pose(const geometry_msgs::Pose& message, const std::string& name, double max_tilt = kMaxTilt);
 Pose to_pose(const geometry_msgs::Transform& message, const std::string& name, double max_tilt = kMaxTilt);
 
-/// Refuses empty grids, data whose size is not width x height, resolutions and origins that make no sense.
+/// Rejects empty grids, data whose size is not width x height, resolutions and origins that make no sense.
 void check_map(const nav_msgs::OccupancyGrid& message);
 
-/// The same grid; refuses what check_map() refuses.
+/// The same grid; rejects what check_map() rejects.
 OccupancyGrid to_grid(const nav_msgs::OccupancyGrid& message);
 
-/// Overwrites the rectangle of the update. Refuses one that does not lie in the grid, or has too much or too little
+/// Overwrites the rectangle of the update. Rejects one that does not lie in the grid, or has too much or too little
 /// data; the grid is then as before.
 void apply_update(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid& grid);
 
-/// The modes of these names, all for an empty list. Refuses unknown names.
+/// The modes of these names, all for an empty list. Rejects unknown names.
 ModeSet to_modes(const std::vector<std::string>& names);
 
 geometry_msgs::Pose to_message(const Pose& pose);

@@ -12,7 +12,7 @@ namespace fourwis
 namespace
 {
 
-constexpr TrajectoryPoint kNowhere = {};
+constexpr TrajectoryPoint kPlaceholder = {};
 
 /// Longest correction of a robot that is as far away as it may be [s].
 double longest(const Robot& robot, const TrackOptions& options)
@@ -23,7 +23,7 @@ double longest(const Robot& robot, const TrackOptions& options)
 
 }  // namespace
 
-bool RestingPlace::is_reached(const Pose& at) const
+bool RestTarget::is_reached(const Pose& at) const
 {
   return is_within(at, pose, xy_tolerance, yaw_tolerance);
 }
@@ -31,17 +31,17 @@ bool RestingPlace::is_reached(const Pose& at) const
 Corrector::Corrector(const Robot& robot, const TrackOptions& options)
   : robot_(robot),
     options_(options),
-    stretch_(robot, &kNowhere, &kNowhere + 1)
+    stretch_(robot, &kPlaceholder, &kPlaceholder + 1)
 {
   stretch_.reserve(longest(robot, options));
 }
 
-bool Corrector::is_near(const Pose& at, const RestingPlace& to) const
+bool Corrector::is_near(const Pose& at, const RestTarget& to) const
 {
   return is_within(at, to.pose, options_.max_xy_correction, options_.max_yaw_correction);
 }
 
-bool Corrector::start(const Pose& from, const RestingPlace& to)
+bool Corrector::start(const Pose& from, const RestTarget& to)
 {
   if (spent_ > options_.correction_timeout) return false;
   const double turn = wrap_angle(to.pose.theta - from.theta);

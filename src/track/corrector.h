@@ -7,7 +7,7 @@ namespace fourwis
 {
 
 /// Where the robot ought to rest, and how near to it will do.
-struct RestingPlace
+struct RestTarget
 {
   Pose pose;
   double xy_tolerance, yaw_tolerance;  ///< [m], [rad]
@@ -27,10 +27,10 @@ public:
   const Reference& stretch() const { return stretch_; }
 
   /// Whether `at` is near enough to be corrected.
-  bool is_near(const Pose& at, const RestingPlace& to) const;
+  bool is_near(const Pose& at, const RestTarget& to) const;
 
   /// Begins the next motion; false when correction_timeout is over.
-  bool start(const Pose& from, const RestingPlace& to);
+  bool start(const Pose& from, const RestTarget& to);
 
   /// Lets time pass [s].
   void pass(double time) { spent_ += active_ ? time : 0.0; }

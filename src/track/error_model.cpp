@@ -28,7 +28,7 @@ ErrorModel::ErrorModel(const Robot& robot, Mode mode)
   : robot_(robot),
     mode_(mode),
     moves_(traits_of(mode).translates ? 1.0 : 0.0),
-    crabs_(traits_of(mode).follows_phi ? 1.0 : 0.0)
+    course_gain_(traits_of(mode).follows_phi ? 1.0 : 0.0)
 {}
 
 double ErrorModel::curvature(double phi) const
@@ -38,7 +38,7 @@ double ErrorModel::curvature(double phi) const
 
 double ErrorModel::course_rate(const ReferencePoint& reference) const
 {
-  return reference.state.v * curvature(reference.state.phi) + crabs_ * reference.input.omega;
+  return reference.state.v * curvature(reference.state.phi) + course_gain_ * reference.input.omega;
 }
 
 ErrorState ErrorModel::error(const MotionState& state, const MotionState& reference) const
@@ -67,7 +67,7 @@ ErrorState ErrorModel::rate(const ErrorState& error, const ErrorInput& input, co
 {
   const MotionState& r = reference.state;
   const double v = r.v + error[kSpeed], phi = r.phi + error[kSteering], turn = course_rate(reference);
-  const double psi = error[kHeading] + crabs_ * error[kSteering];
+  const double psi = error[kHeading] + course_gain_ * error[kSteering];
   ErrorState rate;
   rate << moves_ * (v * std::cos(psi) - r.v) + turn * error[kAcross], moves_ * v * std::sin(psi) - turn * error[kAlong],
       v * curvature(phi) - r.v * curvature(r.phi), input[0], input[1];
@@ -81,7 +81,7 @@ Eigen::Matrix<double, 5, 7> ErrorModel::jacobian(const ReferencePoint& middle, d
   slope(kAlong, kSpeed) = h * moves_;
   slope(kAlong, kAcross) = h * turn;
   slope(kAcross, kHeading) = h * moves_ * v;
-  slope(kAcross, kSteering) = h * moves_ * v * crabs_;
+  slope(kAcross, kSteering) = h * moves_ * v * course_gain_;
   slope(kAcross, kAlong) = -h * turn;
   slope(kHeading, kSpeed) = h * curvature(phi);
   slope(kHeading, kSteering) = h * v * curvature_slope(robot_, mode_, phi);

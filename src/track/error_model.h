@@ -53,8 +53,8 @@ private:
 
   Robot robot_;
   Mode mode_;
-  double moves_;  ///< 1 where C moves, otherwise 0
-  double crabs_;  ///< gamma: 1 where the course follows phi, otherwise 0
+  double moves_;        ///< 1 where C moves, otherwise 0
+  double course_gain_;  ///< gamma: 1 where the course follows phi, otherwise 0
 };
 
 }  // namespace fourwis

@@ -10,12 +10,12 @@ namespace
 
 /// Slower than this the reference is no measure of what the robot lags behind [m/s].
 constexpr double kSlow = 0.05;
-/// So much of the time the clock may wait at most.
+/// The clock waits for at most this share of the time.
 constexpr double kMostWait = 0.5;
 /// The longitudinal error at which a stretch is at its end [m].
 constexpr double kSettled = 0.002;
-/// Wheels that are told to rest must do so by then [s].
-constexpr double kRestless = 2.0;
+/// Wheels that are told to rest must be at rest after this time [s].
+constexpr double kRestTimeout = 2.0;
 
 }  // namespace
 
@@ -44,28 +44,28 @@ void Follower::start(const Reference& reference, const SteeringRange& steering, 
 Follower::Answer Follower::step(const Measurement& now)
 {
   Answer answer;
-  answer.trouble = observe(now);
+  answer.stop_reason = observe(now);
   const MotionState state = forecast_.ahead(now.pose, now.pose_stamp, now.now + options_.command_latency);
   time_ += now.period;
   wait_for_robot(state, now.period);
-  if (answer.trouble) return answer;
+  if (answer.stop_reason) return answer;
   if (settles(state, now))
   {
     answer.command = rest(now);
     answer.finished = now.at_rest && holding_ > options_.command_latency + period_;
-    if (holding_ > kRestless) answer.trouble = {"the wheels do not come to rest for %.3f s", holding_};
+    if (holding_ > kRestTimeout) answer.stop_reason = {"the wheels do not come to rest for %.3f s", holding_};
     return answer;
   }
   const MpcAnswer control = mpc_.solve(*reference_, time_, state);
   if (!control.usable)
-    answer.trouble = {"the controller's problem has no solution"};
+    answer.stop_reason = {"the controller's problem has no solution"};
   else
     answer.command = ask(now, control.input, period_);
   return answer;
 }
 
 /// Where the robot is, compared with where it should have been, and whether its wheels do what they were asked for.
-Trouble Follower::observe(const Measurement& now)
+StopReason Follower::observe(const Measurement& now)
 {
   clock_ = time_ + now.period - options_.command_latency - (now.now - now.pose_stamp);
   const MotionState& should = reference_->at(clock_).state;

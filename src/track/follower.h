@@ -23,9 +23,9 @@ public:
 
   struct Answer
   {
-    ModeMotion command;     ///< for the wheels, their lag made up for
-    Trouble trouble;        ///< the command is none
-    bool finished = false;  ///< the robot rests at the stretch's end, as near as following gets it
+    ModeMotion command;      ///< for the wheels, their lag made up for
+    StopReason stop_reason;  ///< if there is one, the command is not valid
+    bool finished = false;   ///< the robot rests at the stretch's end, as near as following gets it
   };
   Answer step(const Measurement& now);
 
@@ -40,7 +40,7 @@ public:
   const std::vector<Pose>& prediction() const { return mpc_.prediction(); }
 
 private:
-  Trouble observe(const Measurement& now);
+  StopReason observe(const Measurement& now);
   void wait_for_robot(const MotionState& state, double period);
   ModeMotion rest(const Measurement& now);
   bool settles(const MotionState& state, const Measurement& now);

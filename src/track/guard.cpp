@@ -8,18 +8,18 @@ namespace fourwis
 namespace
 {
 
-/// Clocks of two computers may differ by so much [s].
+/// Clocks of two computers may differ by this much [s].
 constexpr double kAhead = 0.05;
 
-/// A wheel may be away from its angle for so long: bumps, noise, a command that came late [s].
-constexpr double kStubborn = 0.3;
+/// A wheel may be away from its angle for this long, because of a bump, noise or a late command [s].
+constexpr double kWheelErrorTimeout = 0.3;
 
 constexpr const char* kWheelAway[] = {"the front left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
                                       "the front right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
                                       "the rear left wheel is %.3f rad from its angle, max_wheel_error is %.3f rad",
                                       "the rear right wheel is %.3f rad from its angle, max_wheel_error is %.3f rad"};
 
-Trouble judge_age(double age, double timeout, const char* too_old, const char* ahead)
+StopReason judge_age(double age, double timeout, const char* too_old, const char* ahead)
 {
   if (age > timeout) return {too_old, age, timeout};
   if (age < -kAhead) return {ahead, -age};
@@ -31,7 +31,7 @@ bool is_finite(const PerWheel& numbers)
   return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
 }
 
-Trouble judge_numbers(const TrackInput& input)
+StopReason judge_numbers(const TrackInput& input)
 {
   if (!std::isfinite(input.now)) return {"the time is no number"};
   if (!std::isfinite(input.pose_stamp) || !is_finite(input.pose)) return {"the robot's pose is not known"};
@@ -41,7 +41,7 @@ Trouble judge_numbers(const TrackInput& input)
   return {};
 }
 
-Trouble judge_base(BaseState state)
+StopReason judge_base(BaseState state)
 {
   switch (state)
   {
@@ -66,21 +66,21 @@ bool is_within(const Pose& a, const Pose& b, double xy, double yaw)
   return distance(a, b) <= xy && turn_between(a, b) <= yaw;
 }
 
-Trouble judge_input(const TrackInput& input, const TrackOptions& options)
+StopReason judge_input(const TrackInput& input, const TrackOptions& options)
 {
-  if (const Trouble trouble = judge_numbers(input)) return trouble;
-  if (const Trouble trouble =
+  if (const StopReason reason = judge_numbers(input)) return reason;
+  if (const StopReason reason =
           judge_age(input.now - input.pose_stamp, options.pose_timeout,
                     "the pose is %.3f s old, pose_timeout is %.3f s", "the pose's stamp lies %.3f s ahead"))
-    return trouble;
-  if (const Trouble trouble = judge_age(input.now - input.wheels.stamp, options.wheel_state_timeout,
-                                        "the wheels' state is %.3f s old, wheel_state_timeout is %.3f s",
-                                        "the stamp of the wheels' state lies %.3f s ahead"))
-    return trouble;
+    return reason;
+  if (const StopReason reason = judge_age(input.now - input.wheels.stamp, options.wheel_state_timeout,
+                                          "the wheels' state is %.3f s old, wheel_state_timeout is %.3f s",
+                                          "the stamp of the wheels' state lies %.3f s ahead"))
+    return reason;
   return judge_base(input.wheels.state);
 }
 
-Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options)
+StopReason judge_deviation(const Deviation& deviation, const TrackOptions& options)
 {
   if (std::abs(deviation.lateral) > options.max_lateral_error)
     return {"the robot is %.3f m beside the trajectory, max_lateral_error is %.3f m", std::abs(deviation.lateral),
@@ -94,13 +94,13 @@ Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options)
   return {};
 }
 
-Trouble WheelWatch::judge(const PerWheel& expected, const PerWheel& measured, double period)
+StopReason WheelWatch::judge(const PerWheel& expected, const PerWheel& measured, double period)
 {
   for (std::size_t i = 0; i < away_.size(); ++i)
   {
     const double error = std::abs(std::remainder(measured[i] - expected[i], M_PI));
     away_[i] = error > options_.max_wheel_error ? away_[i] + period : 0.0;
-    if (away_[i] > kStubborn) return {kWheelAway[i], error, options_.max_wheel_error};
+    if (away_[i] > kWheelErrorTimeout) return {kWheelAway[i], error, options_.max_wheel_error};
   }
   return {};
 }

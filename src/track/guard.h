@@ -2,7 +2,7 @@
 
 #include "fourwis_navigation/track/track_options.h"
 #include "fourwis_navigation/track/tracker.h"
-#include "trouble.h"
+#include "stop_reason.h"
 
 namespace fourwis
 {
@@ -23,10 +23,10 @@ bool is_within(const Pose& a, const Pose& b, double xy, double yaw);
 
 /// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that
 /// does not follow.
-Trouble judge_input(const TrackInput& input, const TrackOptions& options);
+StopReason judge_input(const TrackInput& input, const TrackOptions& options);
 
 /// Whether the robot is farther from the trajectory than it may be.
-Trouble judge_deviation(const Deviation& deviation, const TrackOptions& options);
+StopReason judge_deviation(const Deviation& deviation, const TrackOptions& options);
 
 /// Notices wheels that keep away from where they should be.
 class WheelWatch
@@ -37,7 +37,7 @@ public:
   void restart() { away_.fill(0.0); }
 
   /// Angles modulo pi; `period`: since the last look [s].
-  Trouble judge(const PerWheel& expected, const PerWheel& measured, double period);
+  StopReason judge(const PerWheel& expected, const PerWheel& measured, double period);
 
 private:
   const TrackOptions options_;

@@ -8,13 +8,13 @@
 namespace fourwis
 {
 
-Trouble Observer::observe(const TrackInput& input)
+StopReason Observer::observe(const TrackInput& input)
 {
-  const Trouble clock = advance_clock(input.now);
-  const Trouble trouble = judge_input(input, options_);
-  measured_.usable = !trouble && !clock;
+  const StopReason clock = advance_clock(input.now);
+  const StopReason reason = judge_input(input, options_);
+  measured_.usable = !reason && !clock;
   measured_.at_rest = measured_.usable && is_at_rest(input.wheels, options_);
-  if (!measured_.usable) return trouble ? trouble : clock;
+  if (!measured_.usable) return reason ? reason : clock;
   measured_.pose = input.pose;
   measured_.pose_stamp = measured_.now - (input.now - input.pose_stamp);
   measured_.wheels = input.wheels.motion;
@@ -23,7 +23,7 @@ Trouble Observer::observe(const TrackInput& input)
 }
 
 /// A step of no sensible length counts as one control step.
-Trouble Observer::advance_clock(double now)
+StopReason Observer::advance_clock(double now)
 {
   const double period = last_now_ ? now - *last_now_ : 0.0;
   if (std::isfinite(now)) last_now_ = now;

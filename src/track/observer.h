@@ -4,7 +4,7 @@
 
 #include "fourwis_navigation/track/track_options.h"
 #include "fourwis_navigation/track/tracker.h"
-#include "trouble.h"
+#include "stop_reason.h"
 
 namespace fourwis
 {
@@ -29,7 +29,7 @@ public:
   explicit Observer(const TrackOptions& options) : options_(options) {}
 
   /// Takes over the input, or says what is wrong with it.
-  Trouble observe(const TrackInput& input);
+  StopReason observe(const TrackInput& input);
 
   /// The clock begins at 0 again with the next observe(), so that no rounding in a drive depends on how long ago the tracker
   /// was started.
@@ -38,7 +38,7 @@ public:
   const Measurement& measured() const { return measured_; }
 
 private:
-  Trouble advance_clock(double now);
+  StopReason advance_clock(double now);
 
   const TrackOptions options_;
   std::optional<double> last_now_;  ///< of the input

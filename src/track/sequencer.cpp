@@ -11,7 +11,7 @@ namespace
 {
 
 /// A robot that is not seen to come to rest counts as being at rest so long after it should be [s].
-constexpr double kBlindStop = 1.0;
+constexpr double kUnseenRestTime = 1.0;
 
 }  // namespace
 
@@ -45,11 +45,11 @@ TrackOutput Sequencer::step(const TrackInput& input)
 {
   number(input.now);
   if (has_next_ && rests()) observer_.restart_clock();
-  const Trouble trouble = observer_.observe(input);
+  const StopReason reason = observer_.observe(input);
   elapsed_ += measured_.period;
   corrector_.pass(measured_.period);
   TrackOutput output;
-  output.command = act(input.wheels, trouble);
+  output.command = act(input.wheels, reason);
   output.command.sequence = sequence_;
   report(output);
   return output;
@@ -65,11 +65,11 @@ void Sequencer::number(double now)
   numbered_ = true;
 }
 
-WheelCommand Sequencer::act(const WheelState& wheels, const Trouble& trouble)
+WheelCommand Sequencer::act(const WheelState& wheels, const StopReason& reason)
 {
-  if (trouble && is_under_way()) brake_for(trouble);
+  if (reason && is_under_way()) brake_for(reason);
   if (rests() && measured_.usable) steering_.adopt(measured_.wheels.angle);
-  if (rests() && has_next_) begin(trouble);
+  if (rests() && has_next_) begin(reason);
   switch (state_)
   {
     case TrackState::aligning: return align(wheels);
@@ -80,19 +80,19 @@ WheelCommand Sequencer::act(const WheelState& wheels, const Trouble& trouble)
 }
 
 /// Starts the next mission, at rest.
-void Sequencer::begin(const Trouble& trouble)
+void Sequencer::begin(const StopReason& reason)
 {
   mission_.swap(next_);
   has_next_ = false;
   index_ = 0;
   corrector_.finish();
-  if (trouble) return enter(TrackState::failed, trouble);
-  if (const Trouble away = judge_start()) return enter(TrackState::failed, away);
+  if (reason) return enter(TrackState::failed, reason);
+  if (const StopReason away = judge_start()) return enter(TrackState::failed, away);
   start_aligning();
 }
 
 /// Whether the robot rests where the mission begins.
-Trouble Sequencer::judge_start() const
+StopReason Sequencer::judge_start() const
 {
   const Pose start = mission_.front().start_pose();
   if (is_within(measured_.pose, start, options_.xy_start_tolerance, options_.yaw_start_tolerance)) return {};
@@ -105,8 +105,8 @@ void Sequencer::start_aligning()
 {
   const Reference& next = stretch();
   const SteeringRange range = {next.least_phi(), next.greatest_phi()};
-  if (const Trouble trouble = steering_.choose(next.mode(), next.start_phi(), range, measured_.wheels.angle))
-    return enter(TrackState::failed, trouble);
+  if (const StopReason reason = steering_.choose(next.mode(), next.start_phi(), range, measured_.wheels.angle))
+    return enter(TrackState::failed, reason);
   enter(TrackState::aligning);
   aligning_sequence_ = sequence_;
   place_ = on_mission(next.start_time());
@@ -137,22 +137,22 @@ WheelCommand Sequencer::drive()
 {
   const Follower::Answer answer = follower_.step(measured_);
   place_ = on_mission(follower_.clock());
-  Trouble trouble = answer.trouble ? answer.trouble : judge_deviation(follower_.deviation(), options_);
-  if (!trouble && answer.finished)
+  StopReason reason = answer.stop_reason ? answer.stop_reason : judge_deviation(follower_.deviation(), options_);
+  if (!reason && answer.finished)
   {
     finish_stretch();
     return is_under_way() ? steering_.command() : rest();
   }
-  if (!trouble) trouble = steering_.set(stretch().mode(), answer.command);
-  if (!trouble) return steering_.command();
-  brake_for(trouble);
+  if (!reason) reason = steering_.set(stretch().mode(), answer.command);
+  if (!reason) return steering_.command();
+  brake_for(reason);
   return brake();
 }
 
 /// At rest at the end of a stretch: correct, go on, or arrive.
 void Sequencer::finish_stretch()
 {
-  const RestingPlace place = resting_place();
+  const RestTarget place = rest_target();
   const double away = distance(measured_.pose, place.pose), turned = turn_between(measured_.pose, place.pose);
   const bool reached = place.is_reached(measured_.pose);
   if (!reached && !corrector_.is_near(measured_.pose, place))
@@ -176,7 +176,7 @@ double Sequencer::on_mission(double t) const
 }
 
 /// Where the present stretch of the mission should end.
-RestingPlace Sequencer::resting_place() const
+RestTarget Sequencer::rest_target() const
 {
   const Pose& end = mission_[index_].end_pose();
   if (is_last()) return {end, options_.xy_goal_tolerance, options_.yaw_goal_tolerance};
@@ -189,7 +189,7 @@ WheelCommand Sequencer::brake()
   rolling_ = rolling_ && slow_down();
   if (rolling_) return steering_.command();
   const double ramp = robot_.max_speed / robot_.max_acceleration;
-  if (!measured_.at_rest && elapsed_ <= ramp + kBlindStop) return rest();
+  if (!measured_.at_rest && elapsed_ <= ramp + kUnseenRestTime) return rest();
   if (fails_)
     enter(TrackState::failed, reason_);
   else
@@ -204,15 +204,15 @@ bool Sequencer::slow_down()
   return slower.v != 0.0 && !steering_.set(steering_.command().mode, slower);
 }
 
-/// Begins to brake: on the way to `failed` because of trouble, to `idle` without.
-void Sequencer::brake_for(const Trouble& trouble)
+/// Begins to brake: on the way to `failed` if there is a reason to stop, to `idle` if not.
+void Sequencer::brake_for(const StopReason& reason)
 {
   rolling_ = state_ == TrackState::driving;
-  fails_ = bool(trouble);
-  enter(TrackState::stopping, trouble ? trouble : Trouble{"told to stop"});
+  fails_ = bool(reason);
+  enter(TrackState::stopping, reason ? reason : StopReason{"told to stop"});
 }
 
-void Sequencer::enter(TrackState state, const Trouble& reason)
+void Sequencer::enter(TrackState state, const StopReason& reason)
 {
   state_ = state;
   reason_ = reason;

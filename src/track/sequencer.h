@@ -13,7 +13,7 @@ namespace fourwis
 /// What to do next, from control step to control step:
 ///
 ///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ...
-///   arrived aligning, driving --stop() or trouble--> stopping --at rest--> idle or failed
+///   arrived aligning, driving --stop() or a reason to stop--> stopping --at rest--> idle or failed
 ///
 /// At a stretch's end too far from where it should be, a creeping correction comes first, a stretch like any other.
 class Sequencer
@@ -38,20 +38,20 @@ private:
   bool rests() const { return !is_under_way() && state_ != TrackState::stopping; }
   bool is_last() const { return index_ + 1 == mission_.size(); }
   const Reference& stretch() const { return corrector_.is_active() ? corrector_.stretch() : mission_[index_]; }
-  RestingPlace resting_place() const;
-  Trouble judge_start() const;
+  RestTarget rest_target() const;
+  StopReason judge_start() const;
   double on_mission(double t) const;
 
   // These change the state.
-  void begin(const Trouble& trouble);
+  void begin(const StopReason& reason);
   void start_aligning();
   void finish_stretch();
   bool slow_down();
-  void brake_for(const Trouble& trouble);
-  void enter(TrackState state, const Trouble& reason = {});
+  void brake_for(const StopReason& reason);
+  void enter(TrackState state, const StopReason& reason = {});
 
   // These are the states.
-  WheelCommand act(const WheelState& wheels, const Trouble& trouble);
+  WheelCommand act(const WheelState& wheels, const StopReason& reason);
   WheelCommand align(const WheelState& wheels);
   WheelCommand drive();
   WheelCommand brake();
@@ -70,7 +70,7 @@ private:
   const Measurement& measured_;
 
   TrackState state_ = TrackState::idle;
-  Trouble reason_;        ///< for being in it, where there is one to be told
+  StopReason reason_;     ///< for being in it, where there is one to be told
   double elapsed_ = 0.0;  ///< in it [s]
   bool fails_ = false;    ///< whether braking ends in `failed` or in `idle`
   bool rolling_ = false;  ///< whether there is anything to brake

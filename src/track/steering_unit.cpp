@@ -14,7 +14,7 @@ constexpr double kReserves[] = {0.2, 0.1, 0.05, 0.0};
 
 }  // namespace
 
-Trouble SteeringUnit::choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured)
+StopReason SteeringUnit::choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured)
 {
   const double limit = max_phi(robot_, mode);
   BranchedMotion chosen;
@@ -33,7 +33,7 @@ Trouble SteeringUnit::choose(Mode mode, double start, const SteeringRange& wante
   return {};
 }
 
-Trouble SteeringUnit::set(Mode mode, const ModeMotion& motion)
+StopReason SteeringUnit::set(Mode mode, const ModeMotion& motion)
 {
   BranchedMotion next = continue_branches(robot_, wheel_motion(robot_, mode, motion.v, motion.phi), last_.angle);
   if (next.beyond)

@@ -4,7 +4,7 @@
 #include "fourwis_navigation/vehicle/wheel_branches.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 #include "mpc.h"
-#include "trouble.h"
+#include "stop_reason.h"
 
 namespace fourwis
 {
@@ -18,7 +18,7 @@ public:
 
   /// At rest: branches for a stretch of `mode` that begins at `start` and keeps within `wanted`, nearest to the
   /// measured angles.
-  Trouble choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured);
+  StopReason choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured);
 
   /// What phi may be on the branches chosen: some more than was wanted where the wheels' travel has it.
   const SteeringRange& range() const { return range_; }
@@ -27,7 +27,7 @@ public:
   void adopt(const PerWheel& angles) { last_.angle = angles; }
 
   /// On the branches chosen; the command before it where that is impossible.
-  Trouble set(Mode mode, const ModeMotion& motion);
+  StopReason set(Mode mode, const ModeMotion& motion);
 
   /// The last command; without sequence.
   WheelCommand command() const { return {mode_, 0, last_}; }

@@ -93,7 +93,7 @@ void report_ablation(const Report& report, const Setup& setup, const Problem& pr
 {
   Table table({"variant", "status", "SF", "TL m", "switches", "TPE m", "TYE rad", "CT ms", "worst", "expansions",
                "paper TL", "paper TPE", "paper TYE", "paper CT"});
-  MapShelf maps;
+  MapCache maps;
   const OccupancyGrid& grid = maps.grid(problem.map);
   const PlanRequest request{problem.start, problem.goal, setup.modes};
   for (const Variant& variant : kVariants) table.add(row(variant, setup, grid, request));

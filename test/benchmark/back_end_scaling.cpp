@@ -117,7 +117,7 @@ void report_back_end_scaling(const Report& report, const Setup& setup, const std
                              const std::vector<Problem>& problems)
 {
   std::vector<Sample> samples;
-  MapShelf maps;
+  MapCache maps;
   for (const Problem& problem : problems)
   {
     Sample sample = refine_first_path(setup, problem, maps.grid(problem.map));

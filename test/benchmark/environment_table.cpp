@@ -62,7 +62,7 @@ void report_environments(const Report& report, const Setup& setup, const std::ve
     Table table(header);
     Setup at_speed = setup;
     at_speed.options.search.reference_speed = at_speed.robot.max_speed = speed;
-    MapShelf maps;
+    MapCache maps;
     for (const Problem& environment : environments)
       for (const bool all_modes : {false, true})
         table.add(row(at_speed, environment, maps.grid(environment.map), all_modes));

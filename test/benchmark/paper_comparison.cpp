@@ -124,7 +124,7 @@ void report_paper_comparison(const Report& report, const Setup& setup, const std
   Setup ackermann = setup;
   ackermann.modes = {Mode::ackermann};
   std::vector<std::string> objections;
-  MapShelf maps;
+  MapCache maps;
   for (const Problem& environment : environments)
   {
     const Comparison comparison(ackermann, environment, maps.grid(environment.map));

@@ -33,7 +33,7 @@ void report_plans(const Report& report, const Setup& setup, const std::string& t
                "AT s", "verify ms"});
   std::vector<double> medians, all;
   std::size_t verified = 0;
-  MapShelf maps;
+  MapCache maps;
   for (const Problem& problem : problems)
   {
     const Measurement measurement = measure(setup, maps.grid(problem.map), problem.start, problem.goal);

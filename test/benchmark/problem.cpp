@@ -127,7 +127,7 @@ void write_problems(const std::string& path, const std::vector<Problem>& problem
   if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 
-const OccupancyGrid& MapShelf::grid(const std::string& map)
+const OccupancyGrid& MapCache::grid(const std::string& map)
 {
   if (map != map_)
   {

@@ -33,7 +33,7 @@ std::vector<Problem> read_problems(const std::string& path);
 void write_problems(const std::string& path, const std::vector<Problem>& problems);
 
 /// Keeps the map read last: problems on one map follow one another.
-class MapShelf
+class MapCache
 {
 public:
   const OccupancyGrid& grid(const std::string& map);

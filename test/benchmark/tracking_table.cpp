@@ -106,7 +106,7 @@ Push random_push(Random& random, const Trajectory& trajectory)
 std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std::vector<Problem>& problems)
 {
   std::vector<PlannedEnvironment> environments;
-  MapShelf maps;
+  MapCache maps;
   const Planner planner(setup.options);
   for (const Problem& problem : problems)
   {

@@ -77,7 +77,7 @@ void report_walled_in(const Report& report, const Setup& setup, const std::strin
 {
   Table table({"problem", "wall", "status", "front end ms", "worst", "expansions"});
   Refusals ring, half;
-  MapShelf maps;
+  MapCache maps;
   for (const Problem& problem : problems)
   {
     const OccupancyGrid& grid = maps.grid(problem.map);

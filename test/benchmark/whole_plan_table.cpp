@@ -107,7 +107,7 @@ void report_whole_plans(const Report& report, const Setup& setup, const std::str
   Table trajectories({"problem", "AT s", "peer AT", "AT / peer", "TL m", "peer TL", "AC 1/m", "MC 1/m", "TPE mm",
                       "TYE mrad", "SMR", "switches", "rounds", "iterations", "clearance mm"});
   Summary summary;
-  MapShelf maps;
+  MapCache maps;
   for (const Problem& problem : problems)
   {
     const Measurement measurement = measure(setup, maps.grid(problem.map), problem.start, problem.goal);

@@ -201,14 +201,14 @@ TEST(ObstacleMap, TreatsNothingAsClearThatIsNotANumber)
 
 TEST(ObstacleRule, TakesUnknownCellsForObstaclesUnlessToldOtherwise)
 {
-  ObstacleRule brave;
-  brave.unknown_is_obstacle = false;
+  ObstacleRule unknown_is_free;
+  unknown_is_free.unknown_is_obstacle = false;
   for (int value : {-1, -128, -100, 101, 127})
   {
     OccupancyGrid grid = free_grid(9, 9, 0.1);
     cell(grid, 4, 4) = static_cast<std::int8_t>(value);
     EXPECT_EQ(ObstacleMap(grid).distance(0.45, 0.45), 0.0) << value;
-    EXPECT_NEAR(ObstacleMap(grid, brave).distance(0.45, 0.45), 0.45, 1e-9) << value;
+    EXPECT_NEAR(ObstacleMap(grid, unknown_is_free).distance(0.45, 0.45), 0.45, 1e-9) << value;
   }
 }
 

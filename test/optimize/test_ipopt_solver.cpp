@@ -15,11 +15,11 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// c = (x - 1)^2 + 10 (y - x^2)^2, g = x^2 + y^2
-class Banana : public NlpElement
+/// Rosenbrock's function with a flatter valley: c = (x - 1)^2 + 10 (y - x^2)^2, g = x^2 + y^2
+class Rosenbrock : public NlpElement
 {
 public:
-  Banana(int x, int y, double radius) : NlpElement({x, y}, 1)
+  Rosenbrock(int x, int y, double radius) : NlpElement({x, y}, 1)
   {
     row_lower[0] = -kInfinity;
     row_upper[0] = radius * radius;
@@ -42,13 +42,13 @@ public:
   }
 };
 
-/// Two bananas that share y, in discs around the origin.
-Nlp two_bananas(double radius = 10.0)
+/// Two such functions that share y, in discs around the origin.
+Nlp two_rosenbrock(double radius = 10.0)
 {
   Nlp nlp;
   for (double start : {-1.0, 0.5, 2.0}) nlp.add_variable(-kInfinity, kInfinity, start);
-  nlp.elements.push_back(std::make_unique<Banana>(0, 1, radius));
-  nlp.elements.push_back(std::make_unique<Banana>(2, 1, radius));
+  nlp.elements.push_back(std::make_unique<Rosenbrock>(0, 1, radius));
+  nlp.elements.push_back(std::make_unique<Rosenbrock>(2, 1, radius));
   return nlp;
 }
 
@@ -61,7 +61,7 @@ void expect_refused(const Nlp& nlp)
 
 TEST(IpoptSolver, FindsTheLeastSumOfElementsThatShareVariables)
 {
-  const NlpResult result = solve_on_ipopt(two_bananas(), {}, {});
+  const NlpResult result = solve_on_ipopt(two_rosenbrock(), {}, {});
   ASSERT_EQ(result.status, NlpStatus::solved);
   EXPECT_GT(result.iterations, 0);
   for (double value : result.x) EXPECT_NEAR(value, 1.0, 1e-6);
@@ -69,11 +69,11 @@ TEST(IpoptSolver, FindsTheLeastSumOfElementsThatShareVariables)
 
 TEST(IpoptSolver, KeepsRowsAndBoundsAndFixedVariables)
 {
-  NlpResult result = solve_on_ipopt(two_bananas(0.5), {}, {});
+  NlpResult result = solve_on_ipopt(two_rosenbrock(0.5), {}, {});
   ASSERT_EQ(result.status, NlpStatus::solved);
   EXPECT_NEAR(std::hypot(result.x[0], result.x[1]), 0.5, 1e-5);
 
-  Nlp bounded = two_bananas();
+  Nlp bounded = two_rosenbrock();
   bounded.upper[1] = 0.25;
   bounded.start[2] = 0.75;
   bounded.fix(2);
@@ -85,18 +85,18 @@ TEST(IpoptSolver, KeepsRowsAndBoundsAndFixedVariables)
 
 TEST(IpoptSolver, SaysWhyItDidNotSolve)
 {
-  Nlp contradictory = two_bananas(0.5);
+  Nlp contradictory = two_rosenbrock(0.5);
   contradictory.lower[0] = 1.0;
   EXPECT_EQ(solve_on_ipopt(contradictory, {}, {}).status, NlpStatus::infeasible);
 
   IpoptOptions hasty;
   hasty.max_iterations = 2;
-  EXPECT_EQ(solve_on_ipopt(two_bananas(), hasty, {}).status, NlpStatus::iteration_limit);
+  EXPECT_EQ(solve_on_ipopt(two_rosenbrock(), hasty, {}).status, NlpStatus::iteration_limit);
 
   const std::atomic<bool> cancelled{true};
-  EXPECT_EQ(solve_on_ipopt(two_bananas(), {}, Interrupt(&cancelled)).status, NlpStatus::interrupted);
+  EXPECT_EQ(solve_on_ipopt(two_rosenbrock(), {}, Interrupt(&cancelled)).status, NlpStatus::interrupted);
   const Interrupt late(nullptr, Interrupt::Clock::now());
-  EXPECT_EQ(solve_on_ipopt(two_bananas(), {}, late).status, NlpStatus::interrupted);
+  EXPECT_EQ(solve_on_ipopt(two_rosenbrock(), {}, late).status, NlpStatus::interrupted);
 }
 
 TEST(IpoptSolver, RefusesWhatIsNoProgram)
@@ -104,21 +104,21 @@ TEST(IpoptSolver, RefusesWhatIsNoProgram)
   expect_refused({});
   for (double bad : {kNaN, kInfinity})
   {
-    Nlp nlp = two_bananas();
+    Nlp nlp = two_rosenbrock();
     nlp.start[1] = bad;
     expect_refused(nlp);
-    nlp = two_bananas();
+    nlp = two_rosenbrock();
     nlp.lower[1] = bad;
     expect_refused(nlp);
-    nlp = two_bananas();
+    nlp = two_rosenbrock();
     nlp.upper[1] = -bad;
     expect_refused(nlp);
   }
-  Nlp crossed = two_bananas();
+  Nlp crossed = two_rosenbrock();
   crossed.lower[0] = 2.0;
   crossed.upper[0] = 1.0;
   expect_refused(crossed);
-  expect_refused(two_bananas(kNaN));
+  expect_refused(two_rosenbrock(kNaN));
 }
 
 TEST(IpoptSolver, ServesSeveralThreads)
@@ -127,10 +127,10 @@ TEST(IpoptSolver, ServesSeveralThreads)
   std::vector<std::thread> threads;
   for (NlpResult& result : results)
     threads.emplace_back([&result] {
-      for (int i = 0; i < 10; ++i) result = solve_on_ipopt(two_bananas(0.5), {}, {});
+      for (int i = 0; i < 10; ++i) result = solve_on_ipopt(two_rosenbrock(0.5), {}, {});
     });
   for (std::thread& thread : threads) thread.join();
-  const NlpResult alone = solve_on_ipopt(two_bananas(0.5), {}, {});
+  const NlpResult alone = solve_on_ipopt(two_rosenbrock(0.5), {}, {});
   for (const NlpResult& result : results)
   {
     EXPECT_EQ(result.status, NlpStatus::solved);

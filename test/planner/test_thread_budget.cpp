@@ -14,11 +14,11 @@ namespace fourwis
 namespace
 {
 
-/// Counts the threads that are at work.
-class Census
+/// Counts the threads that work at the same time.
+class ThreadCounter
 {
 public:
-  /// To be called at work: looks around for a while, so that others have the time to join in.
+  /// To be called at work. It takes a while, so that other threads have the time to begin.
   void work()
   {
     note(++working_);
@@ -59,18 +59,18 @@ TEST(ThreadBudgetTest, NeverHasMoreThreadsAtWorkThanItsNumberHoweverDeepLoopsAre
     for (int repetition = 0; repetition < 5; ++repetition)
     {
       ThreadBudget budget(threads);
-      Census census;
+      ThreadCounter counter;
       budget.for_each(4, [&](std::size_t i) {
-        census.work();
+        counter.work();
         budget.for_each(3, [&](std::size_t) {
-          census.work();
-          budget.for_each(i, [&](std::size_t) { census.work(); });
-          census.work();
+          counter.work();
+          budget.for_each(i, [&](std::size_t) { counter.work(); });
+          counter.work();
         });
-        census.work();
+        counter.work();
       });
-      EXPECT_LE(census.most(), threads);
-      EXPECT_GE(census.most(), 1);
+      EXPECT_LE(counter.most(), threads);
+      EXPECT_GE(counter.most(), 1);
     }
 }
 
@@ -110,15 +110,15 @@ TEST(ThreadBudgetTest, GivesAnInnerLoopTheThreadThatIsDoneWithTheOuterOrWaitsFor
   {
     ThreadBudget budget(2);
     std::atomic<int> begun{0};
-    Census census;
+    ThreadCounter counter;
     budget.for_each(2, [&](std::size_t) {
       ++begun;
       while (begun < 2) std::this_thread::yield();
       // One of the two threads ends here. The other goes on until it has company in its inner loop.
       if ((std::this_thread::get_id() == caller) != caller_goes_on) return;
-      while (census.most() < 2) budget.for_each(2, [&](std::size_t) { census.work(); });
+      while (counter.most() < 2) budget.for_each(2, [&](std::size_t) { counter.work(); });
     });
-    EXPECT_EQ(census.most(), 2);
+    EXPECT_EQ(counter.most(), 2);
   }
 }
 
@@ -177,9 +177,9 @@ TEST(ThreadBudgetTest, PassesExceptionsOnThroughNestedLoops)
       });
     };
     EXPECT_THROW(budget.for_each(3, nested), std::runtime_error);
-    Census census;
-    budget.for_each(20, [&](std::size_t) { census.work(); });
-    EXPECT_LE(census.most(), threads);
+    ThreadCounter counter;
+    budget.for_each(20, [&](std::size_t) { counter.work(); });
+    EXPECT_LE(counter.most(), threads);
   }
 }
 

@@ -1,4 +1,4 @@
-// What a trajectory promises about speeds, times and poses: just kept it is accepted, just broken refused.
+// The rules for speeds, times and poses: a trajectory that just keeps one is accepted, one that just breaks it is not.
 
 #include "referee_tour.h"
 

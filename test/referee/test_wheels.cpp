@@ -1,4 +1,4 @@
-// What a trajectory promises about mode switches and about its wheels: just kept it is accepted, just broken refused.
+// The rules for mode switches and wheels: a trajectory that just keeps one is accepted, one that just breaks it is not.
 
 #include "referee_tour.h"
 

@@ -20,7 +20,7 @@ namespace fourwis
 {
 
 /// Stands in for controller, base and clock, ten times as fast as real time: is exactly where the trajectory wants it to be,
-/// says so on `tracking` and by tf, and gets into the trouble that a test asks for.
+/// says so on `tracking` and by tf, and fails as a test asks it to.
 class FakeController
 {
 public:
@@ -36,7 +36,7 @@ public:
     thread_.join();
   }
 
-  /// At rest, without a trajectory, out of trouble.
+  /// At rest, without a trajectory, without a failure.
   void reset(const Pose& pose)
   {
     const Lock lock(mutex_);

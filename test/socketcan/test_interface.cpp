@@ -76,9 +76,9 @@ TEST_F(InterfaceTest, MissingAtTheStart)
 
 TEST_F(InterfaceTest, OtherInterfacesAreOtherBuses)
 {
-  const auto stranger = open_bus("vcan1");
+  const auto other = open_bus("vcan1");
   expect_connected(*robot, *drive);
-  expect_silence(*stranger);
+  expect_silence(*other);
 }
 
 }  // namespace

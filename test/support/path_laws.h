@@ -60,7 +60,7 @@ inline bool is_bitwise_equal(const Path& a, const Path& b)
   return true;
 }
 
-/// What is wrong with a path, as far as its own promises go: no gaps, steering angles the robot has, allowed modes, no
+/// What is wrong with a path, by the rules for paths alone: no gaps, steering angles the robot has, allowed modes, no
 /// collision. Empty when nothing is.
 inline std::string broken_law(const Path& path, const CollisionChecker& checker, const Robot& robot,
                               const ModeSet& modes)

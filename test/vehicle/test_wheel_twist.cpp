@@ -85,13 +85,13 @@ double squares(const Robot& robot, const WheelMotion& wheels, const Twist& twist
 
 TEST_F(TwistOfWheels, ThatDisagreeLeavesTheLeastSquares)
 {
-  const WheelTwist trusting(robot, {0.01, 1e3, 0.0});
+  const WheelTwist tolerant(robot, {0.01, 1e3, 0.0});
   for (int k = 0; k < 200; ++k)
   {
     WheelMotion wheels;
     for (double& angle : wheels.angle) angle = random.angle();
     for (double& speed : wheels.speed) speed = random.between(-1.0, 1.0);
-    const TwistEstimate estimate = trusting.estimate(wheels);
+    const TwistEstimate estimate = tolerant.estimate(wheels);
     const double least = squares(robot, wheels, estimate.twist);
     EXPECT_NEAR(estimate.residual, std::sqrt(least / 5.0), 1e-12);
     for (int trial = 0; trial < 20; ++trial)

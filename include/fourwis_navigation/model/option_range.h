@@ -11,7 +11,7 @@ struct OptionRange
 {
   double least, greatest;
   const char* unit = "";  ///< of both; empty where there is none
-  bool whole = false;     ///< whether fractions are refused
+  bool whole = false;     ///< whether fractions are rejected
 
   /// False for NaN.
   bool contains(double value) const

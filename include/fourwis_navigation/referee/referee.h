@@ -44,7 +44,7 @@ struct RefereeOptions
 /// Throws std::invalid_argument naming key, value and range.
 void check(const RefereeOptions& options);
 
-/// One broken promise.
+/// One broken rule.
 struct Violation
 {
   int point = 0;     ///< index of the trajectory point at or after which it happens
@@ -94,7 +94,7 @@ public:
   /// Never throws on a bad trajectory, whatever is in it: NaN, empty, times running backward are violations.
   Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
 
-  /// The first promise about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted
+  /// The first rule about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted
   /// on another grid: where the body would meet what has been added since.
   std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
 

@@ -173,9 +173,9 @@ TEST_F(UnixBusTest, LosesNothingWhileManySendAndOthersComeAndGo)
 
 TEST_F(UnixBusTest, BusesOfDifferentNamesHearNothingOfEachOther)
 {
-  const auto a = rig.open(), b = rig.open(), stranger = open_bus("unix:other");
+  const auto a = rig.open(), b = rig.open(), other = open_bus("unix:other");
   expect_connected(*a, *b);
-  expect_silence(*stranger);
+  expect_silence(*other);
 }
 
 /// A socket of nobody's that is connected to the end `file`.

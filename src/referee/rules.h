@@ -9,8 +9,8 @@
 namespace fourwis::referee
 {
 
-/// What all promises are judged by.
-struct Court
+/// One judgement: what is judged, by which limits, and where the violations go.
+struct Judgement
 {
   const Robot& robot;
   const RefereeOptions& options;
@@ -31,16 +31,16 @@ inline bool at_rest(const TrajectoryPoint& point)
   return point.v <= kRestSpeed && point.v >= -kRestSpeed;
 }
 
-/// Whether the points are a trajectory at all; the others ask about nothing less.
-bool check_form(const Court& court);
+/// Whether the points are a trajectory at all. The other checks may only be called for one.
+bool check_form(const Judgement& judgement);
 
 /// Start, goal, rest at both.
-void check_ends(const Court& court, const Pose& start, const Pose& goal);
+void check_ends(const Judgement& judgement, const Pose& start, const Pose& goal);
 
 /// Speed and steering angle at the points, acceleration and steering rate between them, `a` and `omega`.
-void check_limits(const Court& court);
+void check_limits(const Judgement& judgement);
 
 /// Pose and time of the switches; rate, speed and travel of the wheels.
-void check_wheels(const Court& court);
+void check_wheels(const Judgement& judgement);
 
 }  // namespace fourwis::referee
