@@ -10,7 +10,7 @@
 namespace fourwis
 {
 
-/// What the command line of `plan` asks for (DESIGN.md section 5). Empty file names: not asked for.
+/// What the command line of `plan` asks for. An empty file name stands for an output that is not asked for.
 struct PlanArguments
 {
   std::string text;     ///< when not empty, the user asked for this text and for nothing else: help, list of parameters

@@ -8,8 +8,7 @@
 namespace fourwis
 {
 
-/// Writes the JSON of DESIGN.md section 5, one trajectory point a line. Throws std::logic_error when a number is not
-/// finite.
+/// Writes a plan as JSON, one trajectory point a line. Throws std::logic_error when a number is not finite.
 void write_json(std::ostream& out, const PlanResult& result);
 
 /// Writes the header t,mode,x,y,theta,v,phi,a,omega and one line for each point; numbers read back exactly.

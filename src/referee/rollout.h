@@ -9,7 +9,8 @@
 namespace fourwis::referee
 {
 
-/// The motion from one point towards the next of the same mode, by DESIGN.md section 3: v and phi linear in time, and
+/// The motion from one point towards the next of the same mode, by doc/design.md, "The meaning of a
+/// trajectory". C is the centre of the four wheels, (x, y) its position. v and phi are linear in time, and
 ///   ackermann: course theta,          theta' = 2 v tan(phi) / L
 ///   lateral:   course theta + pi/2,   theta' = 2 v tan(phi) / W
 ///   parallel:  course theta + phi,    theta' = 0

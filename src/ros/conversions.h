@@ -36,7 +36,7 @@ struct ConversionError : std::runtime_error
 /// How far from 1 the norm of a quaternion may be.
 inline constexpr double kQuaternionTolerance = 1e-3;
 
-/// How far a pose that somebody asked for may be tilted out of the plane [rad].
+/// How far a requested pose may be tilted out of the plane [rad].
 inline constexpr double kMaxTilt = 0.05;
 
 /// A robot on a ramp is tilted, and localisation says so; steeper than this, its transform is wrong [rad].

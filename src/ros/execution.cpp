@@ -152,7 +152,7 @@ GoalOutcome Execution::arrived(const ActiveGoal& active, const DriveReport& repo
 
 GoalOutcome Execution::failed(const ActiveGoal& active, const std::string& message)
 {
-  // Also where it is said to be at rest: whoever does not know what the controller does had better not trust that.
+  // Also if it is said to be at rest: without knowing what the controller does, this cannot be relied on.
   send_stop(ros::Time::now());
   topics_.publish_progress(active.goal.asked, PlannerStatus::FAILED, "drive_failed", message);
   return {GoalOutcome::End::failed, message};

@@ -20,7 +20,7 @@ namespace fourwis
 /// A goal whose form is right.
 struct Goal
 {
-  geometry_msgs::PoseStamped asked;  ///< as somebody asked for it
+  geometry_msgs::PoseStamped asked;  ///< as it was requested
   Pose pose;                         ///< in the global frame
   ros::Time given;                   ///< when
 };

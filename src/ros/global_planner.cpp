@@ -38,7 +38,7 @@ void GlobalPlanner::on_tracking(const fourwis_navigation::TrackingConstPtr& trac
 {
   drive_.reported(*tracking, ros::Time::now());
   const bool drives = tracking->state == Tracking::ALIGNING || tracking->state == Tracking::DRIVING;
-  // What it drives when it is first heard was sent by a planner that is gone: no one holds it against the map.
+  // What it drives when it is first heard was sent by an earlier planner. Nothing checks it against the map.
   if (!std::exchange(controller_heard_, true) && drives) goals_.cancel();
 }
 

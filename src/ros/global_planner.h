@@ -20,7 +20,7 @@ namespace fourwis
 {
 
 /// The planner's node: maps and poses come in, the newest map answers goals and services, and what they yield goes out.
-/// DESIGN.md section 4 lists its topics and services. Spin it with one thread.
+/// doc/design.md and README.md describe its topics and services. Spin it with one thread.
 class GlobalPlanner
 {
 public:

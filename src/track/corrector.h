@@ -6,7 +6,7 @@
 namespace fourwis
 {
 
-/// Where the robot ought to rest, and how near to it will do.
+/// Where the robot should rest, and within which tolerances.
 struct RestTarget
 {
   Pose pose;
@@ -15,14 +15,15 @@ struct RestTarget
   bool is_reached(const Pose& at) const;
 };
 
-/// Creeping motions from where the robot rests to where it ought to: first it turns in place, then it shifts straight
-/// to the place. Only from near, as nobody has verified what lies in between. Allocates nothing after set-up.
+/// Creeping motions from where the robot rests to where it should rest. First it turns in place, then it moves straight
+/// to the place. A correction begins only near the place, because the space in between has not been checked for
+/// obstacles. Allocates nothing after set-up.
 class Corrector
 {
 public:
   Corrector(const Robot& robot, const TrackOptions& options);
 
-  /// Whether a correction goes on, and the stretch to drive for it.
+  /// Whether a correction is being driven, and its stretch.
   bool is_active() const { return active_; }
   const Reference& stretch() const { return stretch_; }
 

@@ -45,7 +45,7 @@ Creep creeping_turn(const Robot& robot, const Pose& from, double angle, double s
 Creep creeping_shift(const Pose& from, const Pose& to, double speed)
 {
   const double direction = std::atan2(to.y - from.y, to.x - from.x);
-  // Of the two ways to set the wheels the one that is nearer to straight ahead.
+  // There are two ways to set the wheels. The one that is nearer to straight ahead is taken.
   const double ahead = wrap_angle(direction - from.theta);
   const bool backward = std::abs(ahead) > M_PI_2;
   const double phi = backward ? wrap_angle(ahead + M_PI) : ahead, course = from.theta + phi;

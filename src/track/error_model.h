@@ -10,8 +10,8 @@
 namespace fourwis
 {
 
-/// Deviation from the reference: (along, across, heading, speed, steering), the first two in the frame of the
-/// reference's course psi_r, to the left [m, m, rad, m/s, rad].
+/// Deviation from the reference: (along, across, heading, speed, steering) [m, m, rad, m/s, rad]. The first two are
+/// along the reference's course psi_r and to the left of it.
 using ErrorState = Eigen::Matrix<double, 5, 1>;
 /// Deviation of (a, omega) from the reference's.
 using ErrorInput = Eigen::Matrix<double, 2, 1>;
@@ -20,7 +20,7 @@ using ErrorInput = Eigen::Matrix<double, 2, 1>;
 /// the curvature kappa(phi) and course psi = theta + beta + gamma phi of the mode:
 ///   along'   = v cos(psi - psi_r) - v_r + psi_r' across,   across' = v sin(psi - psi_r) - psi_r' along,
 ///   heading' = v kappa(phi) - v_r kappa(phi_r),            speed' = a - a_r,   steering' = omega - omega_r.
-/// Spin turns without moving: there the first two have no v.
+/// In spin the robot does not move, so the first two have no terms with v.
 class ErrorModel
 {
 public:
@@ -31,7 +31,7 @@ public:
   /// Deviation of `state`.
   ErrorState error(const MotionState& state, const MotionState& reference) const;
 
-  /// Of that, how far the robot has gone too far: along the course, or in spin the way of the wheels [m].
+  /// How far the robot is ahead of the reference: along the course, or in spin by the way of the wheels [m].
   double advance(const ErrorState& error) const;
 
   /// The inverse of error(): the pose with that deviation. theta is not wrapped.
@@ -53,7 +53,7 @@ private:
 
   Robot robot_;
   Mode mode_;
-  double moves_;        ///< 1 where C moves, otherwise 0
+  double moves_;        ///< 1 if C, the centre of the wheels, moves, otherwise 0
   double course_gain_;  ///< gamma: 1 where the course follows phi, otherwise 0
 };
 

@@ -8,7 +8,7 @@ namespace fourwis
 namespace
 {
 
-/// Slower than this the reference is no measure of what the robot lags behind [m/s].
+/// The clock does not wait for the robot if the reference is slower than this [m/s].
 constexpr double kSlow = 0.05;
 /// The clock waits for at most this share of the time.
 constexpr double kMostWait = 0.5;
@@ -64,7 +64,7 @@ Follower::Answer Follower::step(const Measurement& now)
   return answer;
 }
 
-/// Where the robot is, compared with where it should have been, and whether its wheels do what they were asked for.
+/// Compares the robot's pose with the reference, and its wheels with what they were asked for.
 StopReason Follower::observe(const Measurement& now)
 {
   clock_ = time_ + now.period - options_.command_latency - (now.now - now.pose_stamp);
@@ -78,8 +78,8 @@ StopReason Follower::observe(const Measurement& now)
   return watch_.judge(wheel_motion(robot_, reference_->mode(), 0.0, phi).angle, now.wheels.angle, now.period);
 }
 
-/// Slows the clock down where the robot lags behind more than clock_slack. It must not stand: before a cusp the
-/// controller may see no use in moving.
+/// Slows the clock down if the robot lags behind by more than clock_slack. The clock must not stop, because before a
+/// cusp the controller may find that not moving is best.
 void Follower::wait_for_robot(const MotionState& state, double period)
 {
   const MotionState& should = reference_->at(time_).state;
@@ -88,7 +88,7 @@ void Follower::wait_for_robot(const MotionState& state, double period)
   if (behind > 0.0 && std::abs(should.v) > kSlow) time_ -= std::min(kMostWait * period, behind / std::abs(should.v));
 }
 
-/// Whether the robot has come to the end of the stretch and is left to rest.
+/// Whether the robot is at the end of the stretch, so that its speed is set to 0.
 bool Follower::settles(const MotionState& state, const Measurement& now)
 {
   const double over = time_ - reference_->end_time();
@@ -104,8 +104,8 @@ bool Follower::settles(const MotionState& state, const Measurement& now)
   return holding_ >= 0.0;
 }
 
-/// v and phi change by `input` for the coming control step. Wheels that lag are told where they should be a little
-/// later.
+/// v and phi change by `input` for the coming control step. To compensate the lag of the wheels, they are told where
+/// they should be a little later.
 ModeMotion Follower::ask(const Measurement& now, const MotionInput& input, double duration)
 {
   const ModeMotion from = forecast_.asked(now.now + options_.command_latency);

@@ -12,25 +12,25 @@ namespace fourwis
 {
 
 /// Follows one stretch from rest to rest. Its clock is the trajectory's, shifted so that the first command takes effect
-/// at the stretch's beginning; it goes slower where the robot lags behind.
+/// at the beginning of the stretch. The clock goes slower if the robot lags behind.
 class Follower
 {
 public:
   Follower(const Robot& robot, const TrackOptions& options);
 
-  /// From now on `reference`, which must outlive the drive, with the wheels' range of phi.
+  /// Begins to follow `reference`, which must outlive the drive. `steering` is the range of phi that the wheels allow.
   void start(const Reference& reference, const SteeringRange& steering, const Measurement& now);
 
   struct Answer
   {
-    ModeMotion command;      ///< for the wheels, their lag made up for
+    ModeMotion command;      ///< for the wheels, with their lag compensated
     StopReason stop_reason;  ///< if there is one, the command is not valid
-    bool finished = false;   ///< the robot rests at the stretch's end, as near as following gets it
+    bool finished = false;   ///< the robot is at rest and the stretch is over
   };
   Answer step(const Measurement& now);
 
-  /// Slows down for one control step along the present curve instead, from no more than the speed measured where that is
-  /// known; what to command, v = 0 at last.
+  /// Instead of step(): slows down for one control step along the present curve. It begins at the measured speed if
+  /// that is known and less. Returns the command; in the end its v is 0.
   ModeMotion brake(const Measurement& now);
 
   /// Of the last step.
@@ -55,7 +55,7 @@ private:
   const Reference* reference_ = nullptr;
   ErrorModel error_model_;
   double time_ = 0.0;     ///< the trajectory's, when the next command takes effect [s]
-  double holding_ = 0.0;  ///< since the robot was left to rest at the end; negative while driving [s]
+  double holding_ = 0.0;  ///< time since the speed was set to 0 at the end; negative while driving [s]
   double clock_ = 0.0;
   Deviation deviation_;
   ModeMotion asked_;

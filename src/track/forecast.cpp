@@ -11,7 +11,7 @@ namespace fourwis
 namespace
 {
 
-/// A lag shorter than this is none [s].
+/// A lag shorter than this counts as none [s].
 constexpr double kLeastLag = 1e-3;
 /// Step of the roll-out [s].
 constexpr double kStep = 0.01;
@@ -43,7 +43,7 @@ void Forecast::ask(double t, const ModeMotion& next, double duration)
   const ModeMotion now = asked(t);
   for (const Knot& knot : {Knot{t, now}, Knot{t + duration, next}})
   {
-    // A command may come before the one before it is carried out.
+    // A command may come before the last one has taken effect.
     for (std::size_t n = 0; n < kMemory && asked_[newest_].t > knot.t; ++n) newest_ = (newest_ + kMemory - 1) % kMemory;
     newest_ = (newest_ + 1) % kMemory;
     asked_[newest_] = knot;

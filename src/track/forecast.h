@@ -10,12 +10,13 @@
 namespace fourwis
 {
 
-/// Where the robot will be when a command takes effect. What was asked for so far is remembered; the wheels are taken
-/// to do that, `command_latency` late, but for what they were last measured to deviate, which fades with their lag.
+/// Where the robot will be when a command takes effect. The commands so far are remembered. The wheels are assumed to
+/// follow them with a delay of `command_latency`. To this the last measured deviation is added, which decays with the
+/// lag of the wheels.
 class Forecast
 {
 public:
-  /// As long a time as this many control steps is remembered.
+  /// Commands are remembered for this many control steps.
   static constexpr int kSteps = 124;
 
   Forecast(const Robot& robot, const TrackOptions& options);

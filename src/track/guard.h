@@ -21,14 +21,14 @@ double turn_between(const Pose& a, const Pose& b);
 /// Whether two poses are no farther apart than `xy` [m] and `yaw` [rad].
 bool is_within(const Pose& a, const Pose& b, double xy, double yaw);
 
-/// What is wrong with what is known of the robot: numbers that are none, stamps that are old or lie ahead, a base that
-/// does not follow.
+/// What is wrong with the input: numbers that are not finite, stamps that are old or in the future, a base that is not
+/// enabled.
 StopReason judge_input(const TrackInput& input, const TrackOptions& options);
 
-/// Whether the robot is farther from the trajectory than it may be.
+/// The reason to stop if the robot is farther from the trajectory than it may be.
 StopReason judge_deviation(const Deviation& deviation, const TrackOptions& options);
 
-/// Notices wheels that keep away from where they should be.
+/// Notices wheels that stay away from the angles they should have.
 class WheelWatch
 {
 public:
@@ -36,12 +36,12 @@ public:
 
   void restart() { away_.fill(0.0); }
 
-  /// Angles modulo pi; `period`: since the last look [s].
+  /// Angles modulo pi; `period`: time since the last call [s].
   StopReason judge(const PerWheel& expected, const PerWheel& measured, double period);
 
 private:
   const TrackOptions options_;
-  PerWheel away_{};  ///< for so long [s]
+  PerWheel away_{};  ///< how long each wheel has been away [s]
 };
 
 /// Whether no wheel rolls faster than rest_speed.

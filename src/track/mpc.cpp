@@ -13,7 +13,8 @@ namespace
 /// The last knot of the horizon stands for what comes after it [s].
 constexpr double kEnd = 0.5;
 
-/// Solved far more accurately than the robot moves; a step that is not may still be used, it keeps its bounds.
+/// The problem is solved far more accurately than the robot moves. A less accurate solution may still be used, because
+/// it keeps the bounds.
 ocp::Options solver_options(bool warm)
 {
   ocp::Options options;
@@ -92,7 +93,8 @@ void Mpc::restart(Mode mode, const SteeringRange& steering)
   warm_ = false;
 }
 
-/// `state` moved within what may be asked for: what cannot be kept must not make the problem infeasible.
+/// `state` moved within the bounds of v and phi, so that a measured value beyond them does not make the problem
+/// infeasible.
 MotionState Mpc::within_bounds(const MotionState& state) const
 {
   MotionState inside = state;
@@ -118,7 +120,7 @@ void Mpc::set_interval(const Reference& reference, double t, std::size_t k)
 {
   const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
   const double h = horizon_.intervals[k].h;
-  // The input of a whole interval: the reference's own may change within it.
+  // The mean input over the interval: the reference's own input may change within it.
   const ReferencePoint middle = {reference.at(t + 0.5 * (times_[k] + times_[k + 1])).state,
                                  {(to.v - from.v) / h, (to.phi - from.phi) / h}};
   horizon_.intervals[k].jacobian = error_model_.jacobian(middle, h);
@@ -146,14 +148,14 @@ MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& st
   return answer;
 }
 
-/// From the last solution, as it is: a control step later little has changed.
+/// Starts from the last solution, because little changes from one control step to the next.
 auto Mpc::solve_warm() -> const Solution&
 {
   return solver_.solve(horizon_, problem_, solver_.solution().trajectory, solver_options(true),
                        &solver_.solution().multipliers);
 }
 
-/// From a robot that keeps v and phi, which keeps all bounds.
+/// Starts from a robot with constant v and phi, which keeps all bounds.
 auto Mpc::solve_cold() -> const Solution&
 {
   hold_.states.front() = problem_.initial_state;

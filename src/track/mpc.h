@@ -20,7 +20,7 @@ struct HorizonModel : ocp::ModelBase<5, 2>
   std::vector<Interval> intervals;
   State state_weight;       ///< per second
   Control control_weight;   ///< likewise
-  double end_weight = 0.0;  ///< the last state counts as if it lasted that long [s]
+  double end_weight = 0.0;  ///< the cost of the last state counts for this time [s]
 
   void evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const;
   void differentiate(std::size_t k, const State& x, const Control& u, const State& lambda, Derivatives& d) const;
@@ -38,13 +38,13 @@ struct SteeringRange
 struct MpcAnswer
 {
   MotionInput input;    ///< for one control step
-  bool usable = false;  ///< otherwise there is none
+  bool usable = false;  ///< whether `input` is valid
   int iterations = 0;
 };
 
-/// Model-predictive controller of one mode's motion about a reference: each step solves the linearised problem over the
-/// horizon, warm-started, within the bounds on v (also of the fastest wheel), phi, a and omega (also of the fastest
-/// turning wheel). After set-up it allocates nothing. Deterministic.
+/// Model-predictive controller of one mode's motion about a reference. Each step solves the linearised problem over the
+/// horizon, warm-started. v, phi, a and omega are bounded, and so are the speed of the fastest wheel and the rate of
+/// the fastest turning wheel. After set-up nothing is allocated. Deterministic.
 class Mpc
 {
 public:
@@ -57,7 +57,7 @@ public:
   /// From `state` at time t of the trajectory.
   MpcAnswer solve(const Reference& reference, double t, const MotionState& state);
 
-  /// The problem of the last step and its solution, for whoever wants to judge them.
+  /// The problem of the last step and its solution, for tests.
   const HorizonModel& horizon() const { return horizon_; }
   const ocp::Problem<5, 2>& problem() const { return problem_; }
   const ocp::Trajectory<5, 2>& solution() const { return solver_.solution().trajectory; }
@@ -81,7 +81,7 @@ private:
   SteeringRange steering_{0.0, 0.0};
   HorizonModel horizon_;
   ocp::Problem<5, 2> problem_;
-  ocp::Trajectory<5, 2> hold_;  ///< the guess without a better one
+  ocp::Trajectory<5, 2> hold_;  ///< the guess of a cold start
   ocp::Solver<HorizonModel> solver_;
   std::vector<ReferencePoint> knots_;
   std::vector<Pose> prediction_;

@@ -22,7 +22,7 @@ StopReason Observer::observe(const TrackInput& input)
   return {};
 }
 
-/// A step of no sensible length counts as one control step.
+/// A step of an unusable length counts as one control step.
 StopReason Observer::advance_clock(double now)
 {
   const double period = last_now_ ? now - *last_now_ : 0.0;

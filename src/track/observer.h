@@ -9,7 +9,7 @@
 namespace fourwis
 {
 
-/// What was measured, on the tracker's own clock, which neither jumps nor runs back.
+/// What was measured, in the time of the tracker's own clock. This clock neither jumps nor runs backward.
 struct Measurement
 {
   double now = 0.0;         ///< [s]
@@ -19,7 +19,7 @@ struct Measurement
   double wheel_stamp = 0.0;  ///< [s]
   WheelMotion wheels;
   bool at_rest = false;  ///< no wheel rolls faster than rest_speed
-  bool usable = false;   ///< otherwise all but the times is of an earlier step
+  bool usable = false;   ///< if false, everything but the times is from an earlier step
 };
 
 /// Judges what is known of the robot and keeps what can be used.
@@ -31,8 +31,8 @@ public:
   /// Takes over the input, or says what is wrong with it.
   StopReason observe(const TrackInput& input);
 
-  /// The clock begins at 0 again with the next observe(), so that no rounding in a drive depends on how long ago the tracker
-  /// was started.
+  /// The clock begins at 0 again with the next observe(). So the rounding in a drive does not depend on how long the
+  /// tracker has been running.
   void restart_clock() { measured_.now = 0.0; }
 
   const Measurement& measured() const { return measured_; }

@@ -17,8 +17,9 @@ struct ReferencePoint
 };
 
 /// One stretch of a trajectory: neighbouring points of one mode. Between the points v and phi are linear and the pose
-/// is rolled out; by how much that misses the next point (at most 5 mm, DESIGN.md section 3) is spread over the
-/// interval, so that the reference has no jumps. Before its beginning and after its end it rests.
+/// is rolled out. The roll-out may miss the next point by up to 5 mm (doc/design.md, "The meaning of a trajectory").
+/// This error is spread over the interval, so that the reference has no jumps. Before its beginning and after its end
+/// the reference is at rest.
 class Reference
 {
 public:
@@ -45,8 +46,8 @@ public:
   double greatest_phi() const { return greatest_phi_; }
 
 private:
-  /// A point, so close to the next that a roll-out between them is as good as exact, and how fast that roll-out has to
-  /// drift aside to meet the next.
+  /// A point, and the drift with which the roll-out from it meets the next one. The two are so close together that the
+  /// roll-out is practically exact.
   struct Piece
   {
     TrajectoryPoint point;

@@ -25,8 +25,8 @@ MotionState roll_out(const Robot& robot, Mode mode, const MotionState& start, co
     const double t = fraction * duration;
     return velocity(robot, mode, theta, start.v + t * input.a, start.phi + t * input.omega);
   };
-  // The velocity depends on the pose through theta alone, and theta's rate not even on that: its integral by Simpson's
-  // rule up to the middle and to the end.
+  // The velocity depends on the pose only through theta, and the rate of theta does not depend on the pose. So theta is
+  // integrated first, by Simpson's rule, up to the middle and to the end.
   const double theta = start.pose.theta;
   const double w0 = at(0.0, 0.0).theta, w1 = at(0.5, 0.0).theta, w2 = at(1.0, 0.0).theta;
   const double middle = theta + duration / 24.0 * (5.0 * w0 + 8.0 * w1 - w2);

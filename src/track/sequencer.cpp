@@ -10,7 +10,7 @@ namespace fourwis
 namespace
 {
 
-/// A robot that is not seen to come to rest counts as being at rest so long after it should be [s].
+/// If the robot is not measured to be at rest, it counts as at rest this long after it should be [s].
 constexpr double kUnseenRestTime = 1.0;
 
 }  // namespace
@@ -55,8 +55,8 @@ TrackOutput Sequencer::step(const TrackInput& input)
   return output;
 }
 
-/// Commands are numbered like the control steps, so that a new controller does not repeat the numbers of the one before, and a
-/// replayed one repeats its own.
+/// Commands have the numbers of the control steps. So a new controller does not repeat the numbers of the one before,
+/// and a replay repeats the recorded numbers.
 void Sequencer::number(double now)
 {
   const auto step = static_cast<std::uint32_t>(step_number(now, options_.controller_frequency));
@@ -126,7 +126,8 @@ WheelCommand Sequencer::align(const WheelState& wheels)
   return brake();
 }
 
-/// Whether `aligned` is about the angles wanted now: the base has taken one of the commands sent since.
+/// Whether the wheels have the angles wanted now. `aligned` is about these angles only if the base has taken a command
+/// that was sent since.
 bool Sequencer::is_aligned(const WheelState& wheels) const
 {
   const std::uint32_t since = sequence_ - aligning_sequence_, behind = sequence_ - wheels.sequence;
@@ -168,7 +169,8 @@ void Sequencer::finish_stretch()
   start_aligning();
 }
 
-/// The present stretch's time t as the mission's: a correction is at its stretch's end.
+/// The mission's time for the time t of the present stretch. During a correction it is the end of the stretch that is
+/// corrected.
 double Sequencer::on_mission(double t) const
 {
   const Reference& driven = mission_[index_];
@@ -221,7 +223,8 @@ void Sequencer::enter(TrackState state, const StopReason& reason)
 
 void Sequencer::report(TrackOutput& output)
 {
-  // Rest between a mission that was broken off and the one that waits is not the end of the latter.
+  // The robot may rest between a mission that was stopped and one that waits. This is not reported as the end of the
+  // waiting one.
   output.state = has_next_ && rests() ? TrackState::stopping : state_;
   write(reason_, message_);
   output.message = message_.data();

@@ -15,14 +15,15 @@ namespace fourwis
 ///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ...
 ///   arrived aligning, driving --stop() or a reason to stop--> stopping --at rest--> idle or failed
 ///
-/// At a stretch's end too far from where it should be, a creeping correction comes first, a stretch like any other.
+/// If the robot ends a stretch too far from where it should be, a creeping correction comes first. It is driven like a
+/// stretch.
 class Sequencer
 {
 public:
   Sequencer(const Robot& robot, const TrackOptions& options);
 
-  /// Drives `mission`, not empty, once the robot is at rest; whatever it drives now it stops. A mission that was
-  /// waiting is handed back in exchange.
+  /// Drives `mission`, which is not empty, once the robot is at rest. A mission that is being driven is stopped. A
+  /// mission that was waiting is handed back in exchange.
   void take(Mission& mission);
 
   /// Brakes to rest and forgets all missions.
@@ -70,8 +71,8 @@ private:
   const Measurement& measured_;
 
   TrackState state_ = TrackState::idle;
-  StopReason reason_;     ///< for being in it, where there is one to be told
-  double elapsed_ = 0.0;  ///< in it [s]
+  StopReason reason_;     ///< why it is in the state, if there is something to report
+  double elapsed_ = 0.0;  ///< time in the state [s]
   bool fails_ = false;    ///< whether braking ends in `failed` or in `idle`
   bool rolling_ = false;  ///< whether there is anything to brake
   Sentence message_{};

@@ -9,7 +9,8 @@ namespace fourwis
 namespace
 {
 
-/// What the controller may want beyond the stretch's own steering angles, as far as the wheels' travel has it [rad].
+/// Reserve beyond the steering angles of the stretch, for the controller. The first one that the wheels' travel allows
+/// is taken [rad].
 constexpr double kReserves[] = {0.2, 0.1, 0.05, 0.0};
 
 }  // namespace

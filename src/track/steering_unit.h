@@ -9,24 +9,25 @@
 namespace fourwis
 {
 
-/// Turns the motion of a mode into commands for the wheels: chooses branches at rest, keeps them while moving, slows
-/// all wheels down by one factor where one would be too fast.
+/// Turns the motion of a mode into commands for the wheels. At rest it chooses branches, and while moving it keeps
+/// them. If one wheel would be too fast, it slows all wheels down by the same factor.
 class SteeringUnit
 {
 public:
   explicit SteeringUnit(const Robot& robot) : robot_(robot) {}
 
-  /// At rest: branches for a stretch of `mode` that begins at `start` and keeps within `wanted`, nearest to the
-  /// measured angles.
+  /// To be called at rest. Chooses the branches nearest to the measured angles for a stretch of `mode` that begins at
+  /// `start` and stays within `wanted`. Returns why there are none, if so.
   StopReason choose(Mode mode, double start, const SteeringRange& wanted, const PerWheel& measured);
 
-  /// What phi may be on the branches chosen: some more than was wanted where the wheels' travel has it.
+  /// The range of phi on the chosen branches. It is wider than was wanted as far as the wheels' travel allows.
   const SteeringRange& range() const { return range_; }
 
   /// Adopts angles without turning the wheels.
   void adopt(const PerWheel& angles) { last_.angle = angles; }
 
-  /// On the branches chosen; the command before it where that is impossible.
+  /// Sets the command for a motion, on the chosen branches. If that is impossible, the command stays as it was, and the
+  /// reason is returned.
   StopReason set(Mode mode, const ModeMotion& motion);
 
   /// The last command; without sequence.

@@ -51,7 +51,7 @@ inline bool tells_to_move(const can::Frame& frame)
          (frame.data[3] | frame.data[4] | frame.data[5] | frame.data[6]) != 0;
 }
 
-/// A bridge and eight fake drives at the two ends of a bus, somebody who commands every 20 ms, and one clock for all:
+/// A bridge and eight fake drives at the two ends of a bus, a commander with a period of 20 ms, and one clock for all:
 /// nothing here is measured with a real one.
 class BridgeBench
 {

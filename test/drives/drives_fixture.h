@@ -15,7 +15,7 @@ inline constexpr double kSteeringTurn = 65536.0 * 60.0, kDrivingTurn = 65536.0 *
 inline constexpr double kPerRadian = kSteeringTurn / (2.0 * M_PI);
 inline constexpr double kPerMetre = kDrivingTurn / (2.0 * M_PI * kWheelRadius);
 
-/// A base of eight drives and a master at the two ends of a bus, somebody who listens, and one clock for all.
+/// A base of eight drives and a master at the two ends of a bus, a listener, and one clock for all.
 class DrivesFixture : public ::testing::Test
 {
 protected:

@@ -10,7 +10,7 @@ namespace
 
 using can::BridgeStage;
 
-/// Frames that nobody should send, at any time.
+/// Invalid and unexpected frames, at any time.
 class BridgeAmongGarbage : public BridgeFixture
 {
 protected:

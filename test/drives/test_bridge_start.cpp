@@ -222,7 +222,7 @@ TEST_F(ProfileModes, DriveAsWell)
   EXPECT_NEAR(drives.twist().vy, -0.4 * std::sin(0.7), 5e-3);
 }
 
-/// As somebody builds it: turned round motors, zeros elsewhere, other gears.
+/// A base with reversed motors, other zero positions and other gears.
 BridgeOptions with_odd_axes()
 {
   BridgeOptions options;

@@ -101,7 +101,7 @@ TEST(BridgeThread, RefusesOptionsThatContradictEachOtherWhereItIsMade)
 {
   can::BridgeOptions options;
   options.driving[0].node = 1;
-  EXPECT_THROW(can::BridgeThread(Robot(), options, can::open_bus("unix:nobody"), 0), std::invalid_argument);
+  EXPECT_THROW(can::BridgeThread(Robot(), options, can::open_bus("unix:nothing"), 0), std::invalid_argument);
 }
 
 }  // namespace

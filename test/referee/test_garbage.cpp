@@ -1,4 +1,4 @@
-// Whatever the referee is given, it answers.
+// The referee answers on any input.
 
 #include <gtest/gtest.h>
 

@@ -177,7 +177,7 @@ TEST(Verify, RefusesThePapersEulerStepAtFullLock)
   }
   const Verdict verdict = judge(points, script.start(), points.back().pose());
   expect_refused(verdict, "distance from the rolled-out");
-  EXPECT_NEAR(verdict.max_rollout_position, 0.034, 0.002);  // DESIGN.md section 3
+  EXPECT_NEAR(verdict.max_rollout_position, 0.034, 0.002);  // as doc/design.md says
 }
 
 TEST(Verify, SaysAHandfulAboutATrajectoryWrongEverywhere)

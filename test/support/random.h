@@ -48,7 +48,7 @@ inline std::string text(const Pose& pose)
   return buffer;
 }
 
-/// The difference of two headings, whatever full turns lie between them [rad].
+/// The difference of two headings up to full turns [rad].
 inline double heading_gap(double a, double b)
 {
   return std::abs(wrap_angle(a - b));

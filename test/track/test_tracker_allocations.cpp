@@ -1,4 +1,4 @@
-// The control step neither allocates nor frees, whatever it does.
+// The control step never allocates or frees memory.
 
 #include <gtest/gtest.h>
 

@@ -257,7 +257,7 @@ TEST(TrackerSequence, WhatIsLeftOverAtTheGoalIsCorrected)
   }
 }
 
-/// Nobody has verified the space between there and where it ought to rest.
+/// The space between there and where it should rest has not been checked for obstacles.
 TEST(TrackerSequence, WhatIsFarFromAStretchsEndIsNotCorrected)
 {
   for (const bool at_switch : {false, true})

@@ -48,7 +48,7 @@ inline bool is_resting(TrackState state)
   return state != TrackState::aligning && state != TrackState::driving && state != TrackState::stopping;
 }
 
-/// A tracker on an ideal base, and what somebody in between may do to what it is told.
+/// A tracker on an ideal base, and a way to change its input in between.
 class Rig
 {
 public:

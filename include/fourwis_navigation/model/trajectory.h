@@ -9,7 +9,8 @@ namespace fourwis
 {
 
 /// One point of a trajectory. Between two neighbours of one mode, v and phi vary linearly in time and the pose follows
-/// the mode's kinematics; between two neighbours of different modes lies a switch, at rest (DESIGN.md section 3).
+/// the mode's kinematics; between two neighbours of different modes lies a switch, at rest (doc/design.md, "The meaning
+/// of a trajectory").
 struct TrajectoryPoint
 {
   double t = 0.0;  ///< time from the start [s]

@@ -18,7 +18,7 @@ namespace referee
 class ObstacleCells;
 }
 
-/// What the referee insists on; DESIGN.md sections 3 and 8.
+/// What the referee insists on: doc/design.md, "The meaning of a trajectory".
 struct RefereeOptions
 {
   double collision_step = 0.01;      ///< greatest motion of any body point between two collision checks [m]
@@ -28,7 +28,8 @@ struct RefereeOptions
   double endpoint_angle = 0.001;     ///< and this [rad]
   double limit_tolerance = 1e-6;     ///< relative excess of a limit that still counts as rounding
 
-  /// The table of the options; see model/option_check.h. What is fixed is the meaning of a trajectory, not a matter of taste.
+  /// The table of the options; see model/option_check.h. The fixed rows are part of the meaning of a trajectory, so
+  /// they are not parameters.
   template <class Self, class Row>
   static void describe(Self& o, Row& row)
   {
@@ -91,7 +92,7 @@ public:
   /// Time linear in the number of cells; the grid is not kept.
   Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options = {});
 
-  /// Never throws on a bad trajectory, whatever is in it: NaN, empty, times running backward are violations.
+  /// Never throws on a bad trajectory. NaN, no points at all or times that run backward are violations.
   Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
 
   /// The first rule about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted

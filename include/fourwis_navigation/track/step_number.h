@@ -9,8 +9,9 @@ namespace fourwis
 /// How much earlier than on time a measurement may come and still belong to the control step [s].
 inline constexpr double kStepJitter = 1e-3;
 
-/// Which control step a measurement of time `now` [s] belongs to. They are counted from time 0, not from when the controller
-/// started: whoever measures the same at the same times controls at the same steps, and says the same of them.
+/// Which control step a measurement of time `now` [s] belongs to. Steps are counted from time 0, not from the start of
+/// the controller. So two controllers that measure the same at the same times have the same steps with the same
+/// numbers.
 inline std::uint64_t step_number(double now, double controller_frequency)
 {
   const double steps = (now + kStepJitter) * controller_frequency;

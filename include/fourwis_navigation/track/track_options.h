@@ -10,8 +10,8 @@ struct TrackOptions
 {
   double controller_frequency = 50.0;  ///< control steps each second [Hz]; the paper's controller has 20
 
-  // The model-predictive controller. It weighs deviations against each other: one as large as its `..._scale` costs as
-  // much as any other one as large as its own.
+  // The model-predictive controller. Its cost compares deviations by their `..._scale`: two deviations cost the same if
+  // each is as large as its own scale.
   double horizon = 1.0;              ///< how far it looks ahead [s]
   int knots = 25;                    ///< intervals of the horizon; the first is one control step long
   double lateral_scale = 0.02;       ///< across the direction of travel [m]
@@ -23,7 +23,7 @@ struct TrackOptions
   double steering_rate_scale = 2.0;  ///< of omega [rad/s]
 
   // What is known of the base between a measurement and what a command does.
-  double command_latency = 0.02;  ///< from the measurement to the command that it leads to taking effect [s]
+  double command_latency = 0.02;  ///< from a measurement to the effect of its command [s]
   double drive_lag = 0.03;        ///< time constant of the wheels' speeds [s]
   double steering_lag = 0.02;     ///< time constant of the wheels' angles [s]
 
@@ -34,10 +34,10 @@ struct TrackOptions
   double yaw_goal_tolerance = 0.5 * M_PI / 180;  ///< likewise [rad]
   double xy_switch_tolerance = 0.03;             ///< likewise from the place of a switch [m]
   double yaw_switch_tolerance = 0.03;            ///< likewise [rad]
-  double max_xy_correction = 0.05;               ///< what is farther from where it should rest is not corrected [m]
+  double max_xy_correction = 0.05;               ///< a robot that rests farther from its place is not corrected [m]
   double max_yaw_correction = 0.1;               ///< likewise [rad]
   double correction_speed = 0.1;                 ///< of the creeping motion that removes what is left over [m/s]
-  double correction_timeout = 10.0;              ///< it may take that long, alignments included [s]
+  double correction_timeout = 10.0;              ///< longest duration of a correction with its alignments [s]
   double settle_time = 0.5;                      ///< after the end of a stretch, to remove the longitudinal error [s]
   double rest_speed = 0.01;                      ///< a wheel that rolls no faster is at rest [m/s]
   double alignment_timeout = 5.0;                ///< the wheels must be aligned by then [s]
@@ -46,8 +46,8 @@ struct TrackOptions
   double max_lateral_error = 0.15;      ///< [m]
   double max_longitudinal_error = 0.3;  ///< [m]
   double max_heading_error = 0.3;       ///< [rad]
-  double max_wheel_error = 0.15;        ///< of a wheel's angle, for longer than a moment [rad]
-  double clock_slack = 0.02;            ///< the trajectory's clock goes slower for a robot farther behind [m]
+  double max_wheel_error = 0.15;        ///< of a wheel's angle, for longer than 0.3 s [rad]
+  double clock_slack = 0.02;            ///< if the robot is farther behind, the clock goes slower [m]
   double pose_timeout = 0.1;            ///< greatest age of the pose [s]
   double wheel_state_timeout = 0.1;     ///< greatest age of the wheels' state [s]
   double step_timeout = 0.3;            ///< longest time from one control step to the next [s]
@@ -97,7 +97,7 @@ struct TrackOptions
   }
 };
 
-/// Throws std::invalid_argument naming key, value and range. Some are limited together.
+/// Throws std::invalid_argument naming key, value and range. Some ranges depend on other options.
 void check(const TrackOptions& options);
 
 }  // namespace fourwis

@@ -19,15 +19,14 @@ namespace fourwis
 enum class TrackState : std::uint8_t
 {
   idle = 0,      ///< no trajectory
-  aligning = 1,  ///< at rest, the wheels turn to where the next stretch wants them
+  aligning = 1,  ///< at rest, the wheels turn to the angles of the next stretch
   driving = 2,
   stopping = 3,  ///< braking, because it was told to or because of what `message` says
   arrived = 4,   ///< at rest at the goal
   failed = 5     ///< at rest, the trajectory is given up because of what `message` says
 };
 
-/// What is known of the robot when a control step begins. Any of it may be stale, missing or nonsense: the tracker
-/// judges.
+/// What is known of the robot when a control step begins. Any part may be old, missing or wrong: the tracker checks it.
 struct TrackInput
 {
   double now = 0.0;         ///< [s]
@@ -42,8 +41,8 @@ struct TrackOutput
   WheelCommand command;  ///< with its sequence: `aligned` counts once the base has taken a command of this alignment
   TrackState state = TrackState::idle;
   std::string_view message;         ///< why it stops or failed, otherwise empty; valid until the next step
-  double t = 0.0;                   ///< where on the trajectory the robot should be at `pose_stamp`, or was when it
-                                    ///< began to stop [s]; 0 in the states that are at rest
+  double t = 0.0;                   ///< time on the trajectory at which the robot should be at `pose_stamp`; while
+                                    ///< stopping, where it began to stop; 0 in the states at rest [s]
   double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
   double longitudinal_error = 0.0;  ///< along the direction of travel [m]
   double heading_error = 0.0;       ///< [rad]
@@ -51,9 +50,10 @@ struct TrackOutput
   double phi = 0.0;                 ///< phi that the command stands for [rad]
 };
 
-/// Drives the wheels along a trajectory: brake to rest at each switch, turn the wheels, wait until they are aligned, go
-/// on with the trajectory's clock shifted; in between a model-predictive controller. A stop is always available. step()
-/// neither allocates nor locks. Deterministic: what it answers depends on the calls before it alone.
+/// Drives the wheels along a trajectory. At each switch it brakes to rest, turns the wheels and waits until they are
+/// aligned. Then it goes on, with the trajectory's clock shifted. In between a model-predictive controller follows the
+/// trajectory. A stop is possible at any time. step() neither allocates nor locks. Deterministic: the answers depend
+/// only on the calls before.
 class Tracker
 {
 public:
@@ -61,9 +61,9 @@ public:
   Tracker(const Robot& robot, const TrackOptions& options);
   ~Tracker();
 
-  /// Takes a trajectory to drive from its beginning, or says in a sentence why not (then the one before goes on). Only
-  /// at rest: while driving, the robot stops first. It starts the new one if it rests near its beginning then, otherwise
-  /// `failed`. An empty trajectory stops.
+  /// Takes a trajectory to drive from its beginning. If it refuses it, it says why in a sentence, and the trajectory
+  /// before goes on. A robot that is driving stops first. If it then rests near the new beginning it starts, otherwise
+  /// the state is `failed`. An empty trajectory stops the robot.
   std::string accept(const Trajectory& trajectory);
 
   /// Brakes to rest and forgets the trajectory.

@@ -41,7 +41,7 @@ class Arc
 public:
   Arc(const Robot& robot, const Pose& start, Mode mode, double phi);
 
-  /// A pose and the cosine and sine of its heading, which whoever wants points of the body needs anyway.
+  /// A pose with the cosine and sine of its heading, which are needed to compute points of the body.
   struct Placement
   {
     double x, y, cosine, sine;

@@ -37,7 +37,7 @@ struct ModeTraits
   /// The distance of the steering axes across the course, null where `base` is.
   double Robot::*gauge;
 
-  /// Turns about C, to the left for v > 0, whatever phi.
+  /// Turns about C, to the left for v > 0. phi has no effect.
   bool turns_in_place;
 
   /// What |phi| has to stay within.

@@ -52,7 +52,7 @@ TEST_F(Homing, ThatFailsOrDoesNotEndIsAFault)
   log_.clear();
   homing_.supervise(kSearching, 1.0 + 0.99 * kTimeout);
   EXPECT_EQ(fault(), Fault::count);
-  // Whatever mode the drive says it is in.
+  // The mode that the drive reports does not matter.
   homing_.supervise({0x0250, 0}, 1.0 + 1.01 * kTimeout);
   EXPECT_EQ(fault(), Fault::homing_failed);
 }

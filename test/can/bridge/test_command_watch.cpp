@@ -96,7 +96,7 @@ TEST_F(Commands, NonsenseIsRefused)
       speed.motion.speed[i] = bad;
       EXPECT_EQ(watch_.take(angle, 0.0, 0.0), Verdict::invalid);
       EXPECT_EQ(watch_.take(speed, 0.0, 0.0), Verdict::invalid);
-      angle.mode = Mode::none;  // a stop is a stop, whatever else it says
+      angle.mode = Mode::none;  // a command to stop is valid with any angles
       EXPECT_EQ(watch_.take(angle, 0.0, 0.0), Verdict::taken);
       watch_.forget();
     }

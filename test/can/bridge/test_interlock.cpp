@@ -57,7 +57,7 @@ protected:
   Setpoint setpoint_{robot_, kOptions};
   WheelMotion wheels_;
   bool stuck_ = false;
-  double creep_ = 0.0;  ///< of one wheel, whatever it is told [m/s]
+  double creep_ = 0.0;  ///< of one wheel, independent of its command [m/s]
   double now_ = 0.0;
 };
 

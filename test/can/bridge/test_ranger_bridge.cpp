@@ -207,7 +207,7 @@ TEST_F(RangerBridge, EnabledAnewItForgetsTheModeItHadBefore)
   bridge_.disable(now());
   commands_ = false;
   ASSERT_TRUE(wait_for([&] { return bridge_.report().stage == BridgeStage::ready; }));
-  ranger_.mode = 0;  // by somebody's remote control
+  ranger_.mode = 0;  // by a remote control
   enable();
   pass(1.0);
   EXPECT_EQ(ranger_.mode, 0);

@@ -16,7 +16,7 @@ TEST(RequestSlot, WhatIsNotAnsweredInTimeIsWithdrawn)
   SignalEvent wake;
   RequestSlot slot(wake, 0.0);
   EXPECT_EQ(slot.ask(Request::enable), "the bridge does not answer");
-  EXPECT_EQ(slot.take(), Request::none) << "it would be carried out later, when nobody expects it";
+  EXPECT_EQ(slot.take(), Request::none) << "it would be carried out later, unexpectedly";
 }
 
 TEST(RequestSlot, EachOneGetsItsOwnAnswer)

@@ -178,7 +178,7 @@ TEST_F(UnixBusTest, BusesOfDifferentNamesHearNothingOfEachOther)
   expect_silence(*other);
 }
 
-/// A socket of nobody's that is connected to the end `file`.
+/// A socket that belongs to no bus and is connected to the end `file`.
 int connect_to(const fs::path& file)
 {
   const int socket = ::socket(AF_UNIX, SOCK_SEQPACKET, 0);
