@@ -22,11 +22,12 @@ constexpr double kRounding = 1e-6;
 /// More clearance than this is not asked for [m].
 constexpr double kFarClearance = 1.0;
 
-/// What is left of the clearance r = `radius` of a disc centre between two poses at which it has that much. C turns about a
-/// point R = `turning_radius` or more away, the disc centre about the same point q <= R + o away, and it moves
-/// s q / (R + o) at most: strides are measured on the disc farther out. Along a path of curvature 1 / q the square of the
-/// distance f to an obstacle has the second derivative 2 (1 + f / q) at most. Where f is r at both ends and less between
-/// them, f^2 is therefore no less than r^2 - (1 + r / q) (s q / (R + o))^2 / 4 >= r^2 - (1 + r / (R + o)) s^2 / 4.
+/// What is left of the clearance r = `radius` of a disc centre between two poses at which it has that much. C, the
+/// centre of the wheels, turns about a point R = `turning_radius` or more away, the disc centre about the same point q
+/// <= R + o away, and it moves s q / (R + o) at most: strides are measured on the disc farther out. Along a path of
+/// curvature 1 / q the square of the distance f to an obstacle has the second derivative 2 (1 + f / q) at most. Where f
+/// is r at both ends and less between them, f^2 is therefore no less than r^2 - (1 + r / q) (s q / (R + o))^2 / 4 >=
+/// r^2 - (1 + r / (R + o)) s^2 / 4.
 double clearance_between_checks(double radius, double offset, double turning_radius, double stride)
 {
   const double squared = radius * radius - (1.0 + radius / (turning_radius + offset)) * stride * stride / 4.0;

@@ -37,7 +37,7 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows + 1>
   void differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
                           RowHessian& hessian) const;
 
-  /// How far C moves within an interval [m].
+  /// How far C, the centre of the wheels, moves within an interval [m].
   static double way_of(const RowPoint& q) { return q[7] * (q[3] + 0.5 * q[5] * q[7]); }
   void differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const;
 

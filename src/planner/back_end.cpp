@@ -19,8 +19,8 @@ struct PathPart
   Path path;                        ///< its pieces
   std::vector<Segment> references;  ///< with knots at the wanted spacing, at half of it, ...; none: nothing to optimise
 
-  /// Driven with the wheels held still: accelerating, cruising and braking on it cannot be improved upon. At full lock
-  /// there is not even any other motion between its ends.
+  /// The wheels do not turn: accelerating, cruising and braking is optimal on it. At full lock there is no other motion
+  /// between its ends.
   bool is_one_stretch() const
   {
     const PathPiece& first = path.pieces.front();
@@ -37,7 +37,7 @@ namespace
 constexpr double kSwitchReserve = 1.0 + 1e-6;
 /// Points are no closer in time than this [s].
 constexpr double kLeastInterval = 1e-3;
-/// So often the knots' spacing is halved.
+/// How often the knots' spacing is halved.
 constexpr int kHalvings = 2;
 
 std::vector<PathPart> split(const Path& path, const Robot& robot, double spacing)
@@ -58,7 +58,7 @@ std::vector<PathPart> split(const Path& path, const Robot& robot, double spacing
   return parts;
 }
 
-/// The same motion with a point of its own wherever the robot turns back between two.
+/// The same motion, with a further point wherever the robot reverses between two points.
 Trajectory split_at_standstill(const Robot& robot, const Trajectory& points)
 {
   Trajectory split;
@@ -112,7 +112,7 @@ void BackEnd::polish(Refinement& refinement) const
   std::vector<RefinedPart> parts = refinement.parts;
   context_.threads.for_each(parts.size(), [&](std::size_t i) { polish(parts[i]); });
   Refinement polished = assemble(std::move(parts));
-  // Wheels that end elsewhere may take longer to turn at the switch.
+  // If the wheels end at another angle, they may take longer to turn at the switch.
   const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
   if (!later(polished.trajectory, refinement.trajectory)) refinement = std::move(polished);
 }

@@ -12,18 +12,18 @@
 namespace fourwis
 {
 
-/// What the back end made of a path between two switches.
+/// Result of the back end for a path between two switches.
 struct RefinedPart
 {
-  bool optimized = false;               ///< otherwise stop_and_steer drives it,
-  bool failed = false;                  ///< because its optimisation failed or there was nothing to optimise
+  bool optimized = false;               ///< if not, stop_and_steer drives it
+  bool failed = false;                  ///< the optimisation failed or there was nothing to optimise
   std::string message;                  ///< why it failed
   Trajectory points;                    ///< from t = 0
   std::vector<RefinementRound> rounds;  ///< all of them, those that failed included
   int solver_iterations = 0;
 };
 
-/// What the back end made of a path.
+/// Result of the back end for a path.
 struct Refinement
 {
   Trajectory trajectory;  ///< of the whole path; empty when cancelled
@@ -46,9 +46,9 @@ public:
   /// Splits the path at its switches, optimises each part and joins them with stationary switches.
   Refinement refine(const Path& path) const;
 
-  /// One more round for each optimised segment around its result, with twice the knots and discs that stick out less, so
-  /// that the robot can steer faster and cut corners closer. Segments for which that is not certified at once, or
-  /// arrives later, stay as they are, and so does all if it does.
+  /// One more round for each optimised segment around its result, with twice the knots and with discs that extend less
+  /// beyond the body. So the robot can steer faster and cut corners closer. A segment stays as it is if the new one is
+  /// not certified at once or arrives later. The whole trajectory stays as it is if the new one arrives later.
   void polish(Refinement& refinement) const;
 
 private:

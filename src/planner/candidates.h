@@ -27,9 +27,10 @@ struct Candidates
   std::vector<Path> paths;                  ///< no two alike
 };
 
-/// Searches for paths worth optimising. The paper's costs shun steering and reversing, which the optimiser makes nearly
-/// free, and switches are the dearer by comparison; which path is the fastest shows only after the optimisation. So: the
-/// modes asked for and Ackermann motion alone, both after what takes time, and Ackermann motion after softened costs.
+/// The searches for paths that are worth optimising. The paper's costs penalise steering and reversing, which take
+/// nearly no time after the optimisation. Switches do take time. Which path is the fastest is known only after the
+/// optimisation. So there are several searches: with the requested modes and with Ackermann motion alone, both by costs
+/// that stand for time, and with Ackermann motion by softened costs.
 std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
 
 /// What they find, searching at the same time. Poses that the first expands are appended to `expanded` where it is not

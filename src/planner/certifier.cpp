@@ -12,9 +12,9 @@ namespace fourwis
 namespace
 {
 
-/// No more than this is moved between two looks when an obstacle is touched [m].
+/// Greatest motion between two checked poses where an obstacle is touched [m].
 constexpr double kLeastStep = 0.002;
-/// More clearance is not distinguished [m].
+/// Clearances greater than this count as equal [m].
 constexpr double kFar = 0.1;
 /// Parts of an interval whose sum stands for the exact motion.
 constexpr int kParts = 8;
@@ -102,7 +102,8 @@ double Certifier::greatest_disc_speed(const TrajectoryPoint& from, const Traject
   return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * reach);
 }
 
-/// Least distance to obstacles of the cover that is clearest [m]; the first will do where it is clear.
+/// Least distance to obstacles of the cover that is clearest [m]. If the first cover is clear, the others are not
+/// checked.
 double Certifier::clearance_at(const State& x) const
 {
   double clearance = -std::numeric_limits<double>::infinity();

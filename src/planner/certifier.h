@@ -12,7 +12,7 @@
 namespace fourwis
 {
 
-/// What is between the knots of an optimised segment, interval by interval.
+/// What was found between the knots of an optimised segment, for each interval.
 struct Certificate
 {
   std::vector<double> clearance;  ///< least distance of the discs to obstacles [m]; negative in collision. Distances
@@ -25,8 +25,8 @@ struct Certificate
   }
 };
 
-/// Follows the motion between the points of one mode closely enough that no disc centre can come nearer to an obstacle,
-/// between two poses looked at, by more than half a millimetre.
+/// Checks poses of the motion between the points of one mode. They are so close together that between two of them no
+/// disc centre comes nearer to an obstacle by more than half a millimetre.
 class Certifier
 {
 public:

@@ -62,7 +62,7 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
   return near;
 }
 
-/// What may show that a motion is free: the discs or, where the checker goes by it as well, the snug cover.
+/// The covers that may show that a motion is free: the discs and, if the checker uses it as well, the snug cover.
 Certifier certifier(const CollisionChecker& checker, const DiscCover& discs)
 {
   std::vector<DiscCover> covers = {without_margin(discs, checker.robot())};
@@ -72,7 +72,7 @@ Certifier certifier(const CollisionChecker& checker, const DiscCover& discs)
 
 }  // namespace
 
-/// What a round is about.
+/// Input of a round.
 struct SegmentRefiner::Attempt
 {
   explicit Attempt(const Segment& segment)
@@ -82,7 +82,7 @@ struct SegmentRefiner::Attempt
       pinned(segment.knots.size(), 0)
   {}
 
-  /// Makes the robot stop where it turns back at the ends of interval k. False if there is no such place left.
+  /// Makes the robot stop where it reverses at the ends of interval k. False if there is no such place left.
   bool pin_cusps_of(std::size_t k)
   {
     bool found = false;
@@ -97,7 +97,7 @@ struct SegmentRefiner::Attempt
 
   const Segment& reference;
   std::vector<Pose> around;    ///< the corridor is built around these knots
-  std::vector<double> shrink;  ///< by so much smaller than they could be are the regions of each interval [m]
+  std::vector<double> shrink;  ///< how much smaller than possible the regions of each interval are [m]
   std::vector<char> pinned;    ///< where the robot is to stop
 };
 
@@ -171,8 +171,9 @@ SegmentSolution SegmentRefiner::solve(const SegmentTask& task, double tolerance)
   return structured_.solve(task, tolerance, context_.interrupt);
 }
 
-/// Sets `solved` when no disc comes too close between the knots. Where one does, makes the robot stop at a cusp beside the
-/// interval, which it may pass far out of what the region's chord knows of; if it stops there, shrinks the region.
+/// Sets `solved` if no disc comes too close between the knots. If one does, the robot is made to stop at a cusp beside
+/// the interval, because it may pass the cusp far away from the region's chord. If it stops there already, the region
+/// is shrunk.
 bool SegmentRefiner::is_certified(Attempt& attempt, RefinedSegment& result) const
 {
   const Trajectory& points = result.points();

@@ -14,7 +14,7 @@
 namespace fourwis
 {
 
-/// What became of one segment.
+/// Result for one segment.
 struct RefinedSegment
 {
   bool solved = false;

@@ -38,8 +38,9 @@ std::vector<PathPiece> merge(const std::vector<PathPiece>& pieces)
   return stretches;
 }
 
-/// Least time in which phi can change from one angle to another at a constant rate within a mode [s]: its own limit,
-/// each wheel's where it turns fastest, and the way round of wheels that may not follow because of their travel.
+/// Least time in which phi can change from one angle to another at a constant rate within a mode [s]. Three things
+/// limit it: the rate of phi, the rate of each wheel where it turns fastest, and wheels that have to turn the other way
+/// because of their travel.
 double steering_time(const Robot& robot, Mode mode, double from, double to)
 {
   WheelAngles last = wheel_angles(robot, mode, from);

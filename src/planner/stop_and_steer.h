@@ -7,9 +7,9 @@
 namespace fourwis
 {
 
-/// The slowest honest trajectory along a path: full acceleration and braking on each piece, at most `reference_speed`, a
-/// stop wherever steering, direction or mode change, and there as long as the wheels need. Feasible by construction: the
-/// path is driven exactly. Empty for a path without pieces.
+/// A simple trajectory exactly along a path, feasible by construction. On each piece it accelerates and brakes fully,
+/// up to `reference_speed`. It stops wherever steering, direction or mode change, as long as the wheels need to turn.
+/// Empty for a path without pieces.
 Trajectory stop_and_steer(const Path& path, const Robot& robot, double reference_speed);
 
 }  // namespace fourwis

@@ -21,8 +21,7 @@ struct ThreadBudget::Loop
 {
   Loop(std::size_t the_count, const Work& the_work) : count(the_count), work(the_work) {}
 
-  /// Indices are given out in order. Of several calls that throw the one of least index counts, which a plain loop would
-  /// have come to first.
+  /// Indices are given out in order. If several calls throw, the one with the least index counts, as in a plain loop.
   void failed(std::size_t index)
   {
     const std::lock_guard<std::mutex> lock(mutex);

@@ -25,9 +25,9 @@ public:
   ThreadBudget(const ThreadBudget&) = delete;
   ThreadBudget& operator=(const ThreadBudget&) = delete;
 
-  /// Calls work(0) to work(count - 1), in the calling thread and in others while the budget has some. Returns when all
-  /// calls have ended. After one that throws no others begin; what a plain loop would throw is thrown then. Do not hold a
-  /// mutex meanwhile that other calls may wait for.
+  /// Calls work(0) to work(count - 1), in the calling thread and in others as far as the budget allows. Returns when
+  /// all calls have ended. After a call that throws no others begin, and the exception that a plain loop would throw is
+  /// thrown. Do not hold a mutex that other calls may wait for.
   void for_each(std::size_t count, const Work& work);
 
 private:
@@ -42,7 +42,7 @@ private:
 
   std::mutex mutex_;
   std::condition_variable given_back_;
-  int spare_;        ///< so many more may work
+  int spare_;        ///< how many more threads may work
   int waiting_ = 0;  ///< callers whose helpers have ended; they come before new helpers
 };
 

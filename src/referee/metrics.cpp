@@ -9,7 +9,7 @@ namespace
 {
 
 constexpr double kStandardDeviation = 0.15;  ///< eta of paper eq. (30)
-constexpr double kStandstill = 0.01;         ///< epsilon_v of paper eq. (30), which does not say how much [m/s]
+constexpr double kStandstill = 0.01;         ///< epsilon_v of paper eq. (30), which gives no value [m/s]
 constexpr double kLeastChord = 1e-6;         ///< closer points have no curvature [m]
 
 double chord(const TrajectoryPoint& a, const TrajectoryPoint& b)

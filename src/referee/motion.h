@@ -7,8 +7,8 @@
 namespace fourwis::referee
 {
 
-/// Rolls the kinematics out between the points, which must be met, and holds the body's rectangle against the cells all
-/// along. Fills in the verdict's clearance and roll-out errors.
+/// Rolls the kinematics out from each point; the result must meet the next point. Checks the body's rectangle against
+/// the cells along the whole motion. Fills in the verdict's clearance and roll-out errors.
 void check_motion(const Judgement& judgement, const ObstacleCells& cells, Verdict& verdict);
 
 }  // namespace fourwis::referee

@@ -35,8 +35,8 @@ std::array<std::uint64_t, 256> obstacle_table(const ObstacleRule& rule)
   return table;
 }
 
-/// Least u of the box relative to its centre among its points at height dv above it. The left side is convex: two edges
-/// that meet in the leftmost corner. The corners bound what rounding can do to a nearly level edge.
+/// Least u among the points of the box at height dv above its centre, relative to the centre. The left side is convex:
+/// two edges that meet in the leftmost corner. The corners bound what rounding can do to a nearly level edge.
 struct LeftSide
 {
   explicit LeftSide(const Box& box)
@@ -71,8 +71,8 @@ double squared_distance(double x, double y, double a, double b)
   return squared(std::max(std::abs(x) - a, 0.0)) + squared(std::max(std::abs(y) - b, 0.0));
 }
 
-/// Distance of two rectangles that do not overlap, one the unit square at (du, dv) from the centre of the other: some
-/// corner of one is as near as anything.
+/// Distance of two rectangles that do not overlap. One is the unit square at (du, dv) from the centre of the other. The
+/// distance is that of a corner of one of them.
 double distance_to_cell(const Box& box, double du, double dv)
 {
   double best = INFINITY;

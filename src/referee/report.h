@@ -9,11 +9,11 @@
 namespace fourwis::referee
 {
 
-/// Collects violations, a handful of each kind: a trajectory wrong everywhere needs no sentence per point.
+/// Collects violations, but only a few of each kind, because a trajectory may be wrong at every point.
 class Report
 {
 public:
-  /// What is added from here on is of another kind.
+  /// Violations added from now on are of another kind.
   void next_kind() { of_this_kind_ = 0; }
 
   bool full() const { return of_this_kind_ >= kMostOfOneKind; }

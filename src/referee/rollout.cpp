@@ -5,10 +5,10 @@ namespace fourwis::referee
 namespace
 {
 
-// Over such steps Simpson's rule is wrong by micrometres: nothing beside the roll-out tolerance.
+// Over such steps the error of Simpson's rule is micrometres, far below the roll-out tolerance.
 constexpr double kStepLength = 0.05;  // [m]
 constexpr double kStepAngle = 0.05;   // of theta and of phi [rad]
-constexpr double kMostSteps = 1.0e5;  // of one advance; more only where limits are broken beyond measure
+constexpr double kMostSteps = 1.0e5;  // of one advance; enough unless limits are broken grossly
 
 }  // namespace
 

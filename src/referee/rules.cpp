@@ -8,10 +8,10 @@ namespace fourwis::referee
 namespace
 {
 
-// Numbers beyond this are garbage [s, m, rad, ...]: no sum or product of two of them can overflow.
+// Greater numbers are rejected as unusable [s, m, rad, ...], so that no sum or product of two numbers overflows.
 constexpr double kGreatestNumber = 1e9;
 
-// `a` and `omega` must say what the differences say, to this share of the limit.
+// `a` and `omega` must agree with the differences within this share of the limit.
 constexpr double kRateAgreement = 1e-3;
 
 bool all_sane(const TrajectoryPoint& p)
@@ -46,7 +46,7 @@ void check_point(const Judgement& judgement, std::size_t i)
     judgement.report.add(i, p.t, "steering angle", p.phi, max_phi, "rad");
 }
 
-/// A rate: the difference over an interval against its limit and against what the point claims.
+/// Checks a rate: the difference over an interval must keep the limit and agree with the rate that the point states.
 void check_rate(const Judgement& judgement, std::size_t i, double duration, double difference, double claimed,
                 double limit, const char* name, const char* unit)
 {

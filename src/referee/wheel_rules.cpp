@@ -43,7 +43,7 @@ public:
     check_turn_at_rest(i);
   }
 
-  /// The wheels need not follow phi while nothing rolls: they take their shorter way.
+  /// At rest the wheels need not follow phi: they may turn the shorter way.
   void check_turn_at_rest(std::size_t i) const
   {
     const TrajectoryPoint &p = judgement_.trajectory[i], &next = judgement_.trajectory[i + 1];

@@ -12,8 +12,8 @@ constexpr double kTravelRounding = 1e-6;  // [rad]
 
 }  // namespace
 
-// A turning rate kappa v moves a wheel at (x, y) by (-kappa y, kappa x) v beside the motion of C. Ackermann: C moves
-// along x, kappa = 2 t / L. Lateral: C moves along y, whose left is -x, and kappa = 2 t / W.
+// A turning rate kappa v moves a wheel at (x, y) by (-kappa y, kappa x) v beside the motion of C, the centre of the
+// wheels. Ackermann: C moves along x, kappa = 2 t / L. Lateral: C moves along y, whose left is -x, and kappa = 2 t / W.
 WheelMotion::WheelMotion(const Robot& robot, Mode mode, int wheel)
 {
   const WheelPosition at = wheel_positions(robot)[static_cast<std::size_t>(wheel)];

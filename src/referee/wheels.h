@@ -15,8 +15,9 @@ struct PhiRange
   double low, high;
 };
 
-/// One wheel in one mode. With t = tan(phi) and C moving at unit speed, the wheel moves at 1 + q t along the direction
-/// it has at phi = 0 and at p t to the left of that. In parallel mode all wheels turn with phi itself.
+/// One wheel in one mode. C is the centre of the wheels. With t = tan(phi) and C moving at unit speed, the wheel moves
+/// at 1 + q t along the direction it has at phi = 0 and at p t to the left of that. In parallel mode all wheels turn
+/// with phi itself.
 class WheelMotion
 {
 public:

@@ -9,14 +9,15 @@
 namespace fourwis
 {
 
-/// Where the centre of a disc may be on a map. In a gap that is too narrow the nearest such place is far away, even where
-/// the gap lacks millimetres: on the way through, the clearance falls with the square of the distance. A bound of the
-/// clearance over a cell in the gap, the clearance at its centre and half the diagonal, is far from noticing that.
+/// Where the centre of a disc may be on a map. In a gap that is too narrow the nearest such place is far away, even if
+/// the gap is too narrow by millimetres only, because on the way through the clearance falls with the square of the
+/// distance. The simple bound of the clearance in a cell, the clearance at its centre plus half the diagonal, does not
+/// show that.
 class DiscPlaces
 {
 public:
-  /// Places with at least that clearance [m], as squares of the given side [m] that may hold one. Stops early, and is of no
-  /// use, when interrupted.
+  /// Places with at least that clearance [m], as squares of the given side [m] that may hold one. If interrupted it
+  /// stops early, and the result is not usable.
   DiscPlaces(const ObstacleMap& map, double clearance, double square, const Interrupt& interrupt);
 
   /// Whether there may be a place in a rectangle along the map's axes, `reach_x` and `reach_y` to either side of a point of

@@ -14,7 +14,7 @@
 namespace fourwis
 {
 
-/// Headings modulo pi in one word, one bit each: the two-disc model looks the same from behind.
+/// Headings modulo pi in one word, one bit each: the two-disc model is the same after half a turn.
 inline constexpr int kHeadings = 32;
 using HeadingSet = std::uint32_t;
 inline constexpr HeadingSet kAllHeadings = ~HeadingSet{0};
@@ -48,12 +48,12 @@ Set turned_by_one_bin(Set set)
   return set << 1 | set >> last | set >> 1 | set << last;
 }
 
-/// Which headings may be free in each cell; computed when first asked for. Those that are not can be at no pose in the cell
-/// of a motion found free. It passes from one cell or heading to the next through a pose that belongs to both.
+/// Which headings may be free in each cell; computed when first asked for. A motion that was found free has no pose in
+/// the cell at the other headings. It passes from one cell or heading to the next through a pose that belongs to both.
 class FreeHeadings
 {
 public:
-  /// Goes by the clearance of the disc centres at a cell's centre and, where they are given, the places they may be at.
+  /// Uses the clearance of the disc centres at the centre of a cell and, if given, the places where they may be.
   FreeHeadings(const CollisionChecker& checker, const CoarseCells& cells, const DiscPlaces* places = nullptr)
     : checker_(checker),
       cells_(cells),
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  /// Where a disc centre is while C is in a cell and the heading in a bin.
+  /// Where a disc centre is while C, the centre of the wheels, is in a cell and the heading in a bin.
   struct Spot
   {
     double x, y;              ///< at the centres of both, relative to C [m]

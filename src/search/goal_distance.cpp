@@ -43,7 +43,8 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Least clearance C can have where the robot fits at some heading: both disc centres as close to one point as they get.
+/// Least clearance that C, the centre of the wheels, can have where the robot fits at some heading: both disc centres
+/// are as close to one point as they can be.
 double least_clearance(const CollisionChecker& checker)
 {
   const double disc = checker.least_clearance(), offset = checker.discs().offset;

@@ -27,7 +27,7 @@ constexpr int kFan = 12;
 constexpr int kFanTried = 4;
 /// Curves tried in one terminal connection, cheapest first.
 constexpr std::size_t kCurvesTried = 12;
-/// The curves to the goal matter to the heuristic this close to it [m]; further away the obstacles do.
+/// The heuristic uses curves to the goal only within this distance of it [m]. Farther away the obstacles matter more.
 constexpr double kNearGoal = 4.0;
 
 struct Node
@@ -215,7 +215,8 @@ private:
       for (int turn : {0, 1, -1, 3, -3}) push_translation(n, course + turn * 2.0 * M_PI / kFan);
       return;
     }
-    // At rest the wheels point wherever we want: the directions that lead closest to the goal, and straight at it.
+    // At rest the wheels can be turned to any direction. Tried are those that lead closest to the goal, and straight to
+    // it.
     std::array<std::pair<double, double>, kFan> fan;
     const Pose pose = node(n).pose;
     const double length = options_.primitive_length();

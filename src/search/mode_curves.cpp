@@ -15,7 +15,7 @@ namespace
 /// Shorter pieces are rounding [m].
 constexpr double kNoLength = 1e-9;
 
-/// The goal as Reeds and Shepp see it: the mode's course is x, the turning radius is one.
+/// The goal in the frame of Reeds and Shepp: x is the course of the mode, the turning radius is one.
 Pose in_turning_radii(const Pose& relative, Mode mode, double kappa)
 {
   const Course& course = traits_of(mode).course;

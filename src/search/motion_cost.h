@@ -7,8 +7,8 @@
 namespace fourwis
 {
 
-/// What the search charges, in metres: paper eq. (15) and (16). Terms that the paper charges per primitive of length
-/// v_ref dt are charged in proportion to length, so that pieces of any length compare.
+/// The costs of the search, in metres: paper eq. (15) and (16). The paper has terms per primitive of length v_ref dt.
+/// Here they are in proportion to the length, so that pieces of any length can be compared.
 class MotionCost
 {
 public:

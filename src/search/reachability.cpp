@@ -40,7 +40,7 @@ public:
   bool exhausted() const { return queue_.empty(); }
   WholeTurnSet reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
 
-  /// Floods on from one cell; returns it.
+  /// Continues the flood from one cell, which is returned.
   int step()
   {
     const int here = queue_.top().second;
@@ -93,7 +93,7 @@ bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance
     if (from_start.reached(b) & from_goal.reached(b)) return true;
     if (steps % kInterruptInterval == 0 && is_over(interrupt)) return true;
   }
-  return is_over(interrupt);  // then the places are not to be relied on
+  return is_over(interrupt);  // then the places are not complete
 }
 
 }  // namespace fourwis

@@ -13,10 +13,10 @@ enum class Proof
   sharp   ///< by the places where the discs may be: notices some millimetres, but looks at all of the map first
 };
 
-/// Whether a robot of the two-disc model that could move freely, in any direction and turning on the spot, might get from
-/// start to goal. False is a proof that no plan exists; true is none that one does: cells are taken as free when any pose
-/// in them may be. Floods (x, y, theta) from both ends until they meet or one is exhausted, so the cost goes with
-/// the smaller side. True when interrupted.
+/// Whether a robot of the two-disc model might get from start to goal if it could move in any direction and turn in
+/// place. False is a proof that no plan exists. True is no proof that one exists, because a cell counts as free if any
+/// pose in it may be free. Floods (x, y, theta) from both ends until they meet or one flood is exhausted, so the
+/// smaller side determines the cost. True if interrupted.
 bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double cell_size, Proof proof);
 
 }  // namespace fourwis

@@ -96,7 +96,7 @@ Ends ends(double t, double a, int k, int sign, double slack)
 using Segment = ReedsSheppSegment;
 using Segments = std::initializer_list<Segment>;
 
-// The formulas, which tell `sink` of the words they find.
+// The formulas, which hand the words they find to `sink`.
 template <typename Sink>
 struct Formulas
 {
@@ -177,7 +177,7 @@ OppositeCentres opposite_centres(double xi, double eta)
   return c;
 }
 
-// Tells `sink` of every word to the goal.
+// Hands every word to the goal to `sink`.
 template <typename Sink>
 void every_word(const Pose& goal, Sink& sink)
 {

@@ -30,9 +30,9 @@ struct ReedsSheppWords
 };
 
 /// Every Reeds-Shepp word from (0, 0, 0) to `goal`, whose x and y are in turning radii. Formulas (8.1) to (8.11) of
-/// Reeds and Shepp, "Optimal paths for a car that goes both forwards and backwards", 1990, with their misprints mended.
-/// Arcs are at most half a turn. Each word ends within 1e-12 (1 + distance) of the goal. These three functions do not
-/// allocate, and throw std::invalid_argument if the goal is not finite.
+/// Reeds and Shepp, "Optimal paths for a car that goes both forwards and backwards", 1990, with their misprints
+/// corrected. Arcs are at most half a turn. Each word ends within 1e-12 (1 + distance) of the goal. These three
+/// functions do not allocate, and throw std::invalid_argument if the goal is not finite.
 void reeds_shepp_words(const Pose& goal, ReedsSheppWords& words);
 
 /// Length of the shortest word [turning radii].

@@ -28,7 +28,7 @@ constexpr int kMostHalvings = 4;
 /// A pass of shortcuts that gains less than this share of the cost is the last.
 constexpr double kLeastShortcutGain = 0.01;
 
-/// Half the cell, half the step, the same cost of each metre.
+/// Half the cell and half the step, with the same cost of each metre.
 SearchOptions finer(SearchOptions options)
 {
   options.step_time /= 2.0;
@@ -93,7 +93,7 @@ SearchResult Search::find(const SearchOptions& options, const ModeSet& modes, Ef
   return found;
 }
 
-/// A sharper proof than before the quick search; where it finds none, what guides the thorough search.
+/// A sharper proof than the one before the quick search. If there is none, the result guides the thorough search.
 void Search::look_closer() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -12,7 +12,7 @@ namespace
 
 /// Curves tried between two places, cheapest first.
 constexpr std::size_t kCurvesTried = 6;
-/// A shortcut has to save this much [m], or rounding would be chased.
+/// A shortcut has to save this much [m]. Less may be rounding.
 constexpr double kLeastGain = 1e-6;
 /// Headings that differ by no more are the same [rad].
 constexpr double kExactHeading = 1e-9;
@@ -87,7 +87,7 @@ private:
     }
   }
 
-  /// The first place no way is known to; an interrupt leaves some.
+  /// The first place to which no way is known. There are such places after an interrupt.
   std::size_t unreached() const
   {
     std::size_t i = 0;
@@ -118,8 +118,8 @@ private:
     set(i + 1, cost, i, curve);
   }
 
-  /// Whether a curve ends in exactly the heading of a place: the goal may be met with a little rounding, but on the way
-  /// every metre that follows would carry it aside.
+  /// Whether a curve ends in exactly the heading of a place. At the goal a little rounding is allowed. On the way it
+  /// would move the rest of the path aside.
   bool meets(const ModeCurve& curve, std::size_t place) const
   {
     if (place + 1 == places_.size()) return true;

@@ -8,9 +8,9 @@
 namespace fourwis
 {
 
-/// A path of at most the cost of `path`, from the same start to the same goal: dynamic programming over the places where
-/// pieces meet, where any two may be joined by the cheapest free multi-modal curve instead. Mends what a weighted search
-/// is too greedy for. Returns the best so far when interrupted.
+/// A path of at most the cost of `path`, from the same start to the same goal: dynamic programming over the places
+/// where pieces meet, where any two may be joined by the cheapest free multi-modal curve instead. It corrects what a
+/// weighted search has missed. Returns the best so far when interrupted.
 Path shortcut(const CollisionChecker& checker, const ModeCurves& curves, const Path& path, const Interrupt& interrupt);
 
 }  // namespace fourwis

@@ -58,7 +58,8 @@ std::vector<PathPiece> clean(const std::vector<PathPiece>& pieces, const Robot& 
   return kept;
 }
 
-/// Pieces of one mode and one driving direction, by the distance C has travelled along them.
+/// Pieces of one mode and one driving direction, by the distance that C, the centre of the wheels, has travelled along
+/// them.
 class Run
 {
 public:

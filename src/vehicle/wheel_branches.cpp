@@ -13,7 +13,7 @@ namespace fourwis
 namespace
 {
 
-constexpr double kRounding = 1e-9;  // a wheel may be asked for just its travel [rad]
+constexpr double kRounding = 1e-9;  // for a wheel at the very end of its travel [rad]
 
 /// Angles over a stretch, without jumps, on some branch.
 struct Sweep
@@ -21,8 +21,9 @@ struct Sweep
   double start, low, high;
 };
 
-/// Wheels that follow phi do so without end. In the other modes the velocity of a wheel runs along a straight line as
-/// tan(phi) grows, so that its direction turns one way only and by less than pi on either side of phi = 0.
+/// In modes that follow phi, the angle of a wheel is phi without a limit. In the other modes the velocity of a wheel
+/// moves along a straight line as tan(phi) grows. So its direction turns one way only, and by less than pi on either
+/// side of phi = 0.
 Sweep sweep_of(const Robot& robot, const SteeringStretch& stretch, std::size_t wheel)
 {
   if (traits_of(stretch.mode).follows_phi) return {stretch.start, stretch.low, stretch.high};
@@ -40,7 +41,8 @@ struct Branch
   double excess;  ///< how far it goes beyond the travel [rad]
 };
 
-/// The branch nearest to the measured angle of those within the travel; where there is none, that which misses least.
+/// The branch nearest to the measured angle among those within the travel. If there is none, the one that exceeds the
+/// travel least.
 Branch nearest_branch(const Sweep& sweep, double measured, double travel)
 {
   const double centre = (sweep.low + sweep.high) / 2.0, reachable = travel + kRounding;

@@ -18,10 +18,10 @@ double rolling_ratio(const Twist& twist, const WheelPosition& axis, double angle
   return std::cos(angle) * (twist.vx - twist.omega * axis.y) + std::sin(angle) * (twist.vy + twist.omega * axis.x);
 }
 
-/// The angle of all wheels when they are parallel; of its half turns the nearest to `near_phi`.
+/// The angle of all wheels when they are parallel, shifted by half turns to be nearest to `near_phi`.
 double common_angle(const PerWheel& angles, double near_phi)
 {
-  double sine = 0.0, cosine = 0.0;  // of twice the angle, which does not mind half turns
+  double sine = 0.0, cosine = 0.0;  // of twice the angle: half turns do not change it
   for (double angle : angles)
   {
     sine += std::sin(2.0 * angle);

@@ -69,7 +69,8 @@ void WheelOdometry::integrate(const Twist& mean, double interval, const Eigen::M
   const Pose before = state_.pose;
   state_.pose = move(before, mean, interval);
 
-  // An error in the heading before turns the way gone since; errors of the twist act along the heading in the middle.
+  // An error of the heading before rotates the motion since then. Errors of the twist act along the heading in the
+  // middle.
   Eigen::Matrix3d transition = Eigen::Matrix3d::Identity();
   transition(0, 2) = -(state_.pose.y - before.y);
   transition(1, 2) = state_.pose.x - before.x;

@@ -11,8 +11,8 @@ namespace fourwis
 namespace
 {
 
-/// Least turn from one angle modulo pi to another of a wheel that turns within +- travel; without regard to the travel
-/// where one of them lies beyond it.
+/// Least turn from one angle modulo pi to another of a wheel that turns within +- travel. If one of the angles lies
+/// beyond the travel, the travel is ignored.
 double least_turn(double from, double to, double travel)
 {
   const double shortest = std::abs(std::remainder(to - from, M_PI)), rounding = 1e-9;

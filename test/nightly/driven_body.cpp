@@ -14,7 +14,7 @@ namespace
 constexpr double kSample = 0.005;                   ///< longest way of a point of the body between two samples [m]
 constexpr double kGap = 0.005, kHeadingGap = 0.01;  ///< of a drive's end to the next point [m], [rad]
 
-/// Velocity of C in the body frame [m/s] and yaw rate [rad/s].
+/// Velocity of C, the centre of the wheels, in the body frame [m/s] and yaw rate [rad/s].
 using BodyVelocity = std::array<double, 3>;
 
 BodyVelocity body_velocity(const Robot& robot, Mode mode, double v, double phi)

@@ -118,7 +118,7 @@ TEST(Metrics, DoNotCallTurningWhileSlidingDiagonallyStandard)
     const double t = 0.1 * static_cast<double>(i);
     trajectory[i].t = t;
     trajectory[i].theta = 2.0 * t;
-    // Of C, half a metre per second forward and half a metre per second to the left.
+    // Of C, the centre of the wheels: half a metre per second forward and half a metre per second to the left.
     const double middle = 2.0 * (t - 0.05);
     if (i == 0) continue;
     trajectory[i].x = trajectory[i - 1].x + 0.05 * (std::cos(middle) - std::sin(middle));

@@ -62,7 +62,8 @@ TEST(VerifyWheels, WantsRestAtBothSidesOfASwitch)
   expect_refused(judge_changed([](Trajectory& p) { p[5].v = -1.1e-6; }), "speed at a mode switch");
 }
 
-/// Steering angle of a wheel modulo 2 pi and its speed for unit speed of C: the velocity of a point of a rigid body.
+/// Steering angle of a wheel modulo 2 pi and its speed for unit speed of C, the centre of the wheels: the velocity of a
+/// point of a rigid body.
 void wheel(Mode mode, double phi, int index, double& angle, double& speed)
 {
   const Robot robot;

@@ -107,7 +107,8 @@ TEST_F(Detour, IsMeasuredAroundTheWall)
 {
   const Site site(grid);
   const GoalDistance field = distances(site, start, goal);
-  // Around the upper corners of the wall, which C passes at the robot's least clearance or further away.
+  // Around the upper corners of the wall, which C, the centre of the wheels, passes at the robot's least clearance or
+  // further away.
   const double around_a_point = 2.0 * std::hypot(2.95, 5.0) + 0.1;
   EXPECT_TRUE(field.reaches_start());
   EXPECT_GT(field(start.x, start.y), 0.9 * around_a_point);

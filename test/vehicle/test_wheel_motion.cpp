@@ -17,7 +17,8 @@ constexpr unsigned kSeed = 41;
 constexpr double kDegree = M_PI / 180.0;
 constexpr Mode kDrivenModes[] = {Mode::ackermann, Mode::lateral, Mode::parallel, Mode::spin};
 
-/// A row of the wheel table of the CAN bridge's reference: angles [deg] and speeds for each m/s of C.
+/// A row of the wheel table of the CAN bridge's reference: angles [deg] and speeds for each m/s of C, the centre of the
+/// wheels.
 struct Row
 {
   Mode mode;

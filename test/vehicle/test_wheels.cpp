@@ -20,7 +20,8 @@ double gap_modulo_pi(double a, double b)
   return std::abs(std::remainder(a - b, M_PI));
 }
 
-/// A row of the wheel table of the CAN bridge's reference: angles [deg] and speeds for each m/s of C.
+/// A row of the wheel table of the CAN bridge's reference: angles [deg] and speeds for each m/s of C, the centre of the
+/// wheels.
 struct Row
 {
   Mode mode;

@@ -71,7 +71,7 @@ private:
   std::vector<Point2> rim_;  ///< centres of those discs of the snug cover that the inscribed two do not contain
   std::vector<TightSpot> tight_;
   double stride_;
-  double reach_;  ///< of the disc centre farthest from C [m]
+  double reach_;  ///< of the disc centre farthest from C, the centre of the wheels [m]
   double least_clearance_;
 };
 

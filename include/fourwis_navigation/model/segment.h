@@ -14,9 +14,10 @@ namespace fourwis
 struct Segment
 {
   Mode mode = Mode::none;
-  std::vector<Pose> knots;     ///< N + 1 poses, map frame
-  std::vector<double> phi;     ///< N, equivalent steering angle on each interval [rad]
-  std::vector<double> length;  ///< N, signed arc length of C on each interval [m]; negative drives backward
+  std::vector<Pose> knots;  ///< N + 1 poses, map frame
+  std::vector<double> phi;  ///< N, equivalent steering angle on each interval [rad]
+  std::vector<double>
+      length;  ///< N, signed arc length of the centre of the wheels on each interval [m]; negative: backward
 
   std::size_t intervals() const { return phi.size(); }
 };

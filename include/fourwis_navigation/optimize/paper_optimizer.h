@@ -57,7 +57,8 @@ struct PaperSolution
 ///  - theta is continuous, and fixed at the end: the gradients of sin theta_N = s and cos theta_N = c are parallel, so
 ///    that the paper's pair of constraints is rank-deficient;
 ///  - no centres at the ends: poses are fixed there.
-/// Only the limits of C and of the equivalent wheel count, as in the paper, not those of the single wheels.
+/// Only the limits of C, the centre of the wheels, and of the equivalent wheel count, as in the paper, not those of the
+/// single wheels.
 class PaperOptimizer
 {
 public:

@@ -42,7 +42,7 @@ struct PlannerOptions
 /// other, or one needs Ipopt and has_ipopt() is false.
 void check(const PlannerOptions& options);
 
-/// What the stages leave behind, for pictures and markers; filled only when asked for.
+/// Results of the stages, for pictures and markers. Filled only if asked for.
 struct PlanTrace
 {
   std::vector<Pose> expanded;                        ///< nodes of the first search in the order of expansion
@@ -53,7 +53,7 @@ struct PlanTrace
   std::vector<Trajectory> iterations() const;   ///< what came out of the rounds before the last
 };
 
-/// A grid and a robot with everything that can be computed from them once. Immutable; share it between plans and threads.
+/// A grid and a robot, with everything that is computed from them once. Immutable; share it between plans and threads.
 struct World
 {
   World(const OccupancyGrid& grid, const Robot& robot,

@@ -48,17 +48,19 @@ private:
   int width_, height_;
 };
 
-/// How far C has to travel to the goal at least, obstacles considered and headings not: Dijkstra's algorithm from the
-/// goal over coarse cells, 8-connected, through every cell that may hold a point where C can be.
+/// A lower bound of the distance that C, the centre of the wheels, has to travel to the goal. It considers obstacles,
+/// but no headings. Dijkstra's algorithm from the goal over coarse 8-connected cells, through every cell that may hold
+/// a point where C can be.
 class GoalDistance
 {
 public:
-  /// Computes the field out to `slack` metres beyond the first path to the start; where there is none, over all that the
-  /// goal reaches. Stops early, with a field of no use, when interrupted.
+  /// Computes the field up to `slack` metres beyond the first path to the start. If there is no path, the field covers
+  /// everything that can be reached from the goal. If interrupted it stops early, and the field is not usable.
   GoalDistance(const SearchProblem& problem, double slack);
 
-  /// Distance to the goal from the cell of a point [m], shortened by what 8-connected paths are too long at most (8.24 %)
-  /// and by the size of a cell; infinite where there is no way to the goal, and a lower bound beyond the field's edge.
+  /// Distance to the goal from the cell of a point [m]. It is shortened by the greatest excess of 8-connected paths
+  /// (8.24 %) and by the size of a cell. It is infinite where there is no way to the goal, and a lower bound beyond the
+  /// edge of the field.
   double operator()(double x, double y) const { return field_[static_cast<std::size_t>(cells_.index(x, y))]; }
 
   /// Whether C may get from the start to the goal. False is a proof that it cannot.

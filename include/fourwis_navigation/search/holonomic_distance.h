@@ -9,17 +9,17 @@
 namespace fourwis
 {
 
-/// About how far a robot of the two-disc model that could move in any direction and turn on the spot has to travel to the
-/// goal: breadth first over (x, y, theta mod pi). Knows, unlike GoalDistance, through which gaps the robot only fits at
-/// certain headings; takes tens of milliseconds, so it is for searches that have failed without it.
+/// The approximate distance to the goal for a robot of the two-disc model that can move in any direction and turn in
+/// place: breadth first over (x, y, theta mod pi). Unlike GoalDistance, it considers at which headings the robot fits
+/// through a gap. It takes tens of milliseconds, so it is used only after a search without it has failed.
 class HolonomicDistance
 {
 public:
-  /// Computes the field until the start is reached and `slack` metres beyond. Stops early, with a field of no use, when
-  /// interrupted.
+  /// Computes the field until the start is reached and `slack` metres beyond. If interrupted it stops early, and the
+  /// field is not usable.
   HolonomicDistance(const SearchProblem& problem, double cell_size, double slack);
 
-  /// Distance to the goal [m], turning on the spot charged like driving a cell for each bin of heading.
+  /// Distance to the goal [m]. Turning in place by one bin of heading costs as much as driving one cell.
   double operator()(const Pose& pose) const;
 
   /// False is a proof that no plan exists.

@@ -19,7 +19,7 @@ struct SearchResult
   int expansions = 0;
 };
 
-/// About how far it is from a pose to the goal, obstacles considered [m].
+/// Approximate distance from a pose to the goal, with obstacles considered [m].
 using DistanceToGoal = std::function<double(const Pose&)>;
 
 /// Hybrid A* over (x, y, theta, mode), the paper's Algorithm 1. Poses expanded are appended to `expanded` where it is not

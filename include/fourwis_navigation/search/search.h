@@ -19,8 +19,9 @@ enum class Effort
   thorough  ///< where that fails, a finer one guided by the headings at which the robot fits
 };
 
-/// The front end, the paper's section III-A, for one start and goal: distance to the goal and proof of unreachability
-/// once, then any number of searches with different modes and costs, also at the same time from several threads.
+/// The front end, the paper's section III-A, for one start and goal. The distance to the goal and the proof of
+/// unreachability are computed once. Then any number of searches with different modes and costs may be made, also at
+/// the same time from several threads.
 class Search
 {
 public:
@@ -39,7 +40,7 @@ private:
   const SearchProblem problem_;
   const GoalDistance distance_;
   const bool may_be_reachable_;
-  mutable std::mutex mutex_;  ///< guards what follows, which is found out when first needed
+  mutable std::mutex mutex_;  ///< guards the members below, which are computed when first needed
   mutable bool proven_unreachable_ = false;
   mutable std::unique_ptr<const HolonomicDistance> holonomic_distance_;
 };

@@ -15,14 +15,14 @@ struct SearchOptions
   double parallel_steering_penalty = 0.0;  ///< the same for parallel motion; the paper's literal cost has 1 [m/rad]
   double steering_change_penalty = 1.0;    ///< C_dsteer, per radian of change between primitives of one mode [m/rad]
   double direction_change_penalty = 1.0;   ///< C_dir, per change of driving direction within a mode [m]
-  double heuristic_weight = 3.0;           ///< f = g + weight h; 1 searches for the least cost, and long
+  double heuristic_weight = 3.0;           ///< f = g + weight h; 1 finds the least cost, but is slow
   bool terminal_connection = true;         ///< connect to the goal by multi-modal curves ("RS", Table III)
   bool switching_awareness = true;         ///< C_switch in cost and heuristic ("SCH", Table III)
   double xy_resolution = 0.2;              ///< side of a cell of the closed list [m]
   double heading_resolution = 0.175;       ///< and its extent in heading [rad]
   double xy_goal_tolerance = 0.25;         ///< what counts as the goal without terminal connection [m]
   double yaw_goal_tolerance = 0.1;         ///< likewise [rad]
-  int shortcut_passes = 3;                 ///< how often the path found is gone over for cheaper curves
+  int shortcut_passes = 3;                 ///< how often cheaper curves are looked for along the path
   int max_expansions = 200000;             ///< nodes expanded before the search gives up
 
   /// Length of a primitive [m].

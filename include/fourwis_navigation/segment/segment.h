@@ -27,7 +27,7 @@ namespace fourwis
 /// `spacing` is positive and finite.
 std::vector<Segment> split_at_switches(const Path& path, const Robot& robot, double spacing);
 
-/// Length of the way C travels [m].
+/// Length of the way of C, the centre of the wheels [m].
 double travel_length(const Segment& segment);
 
 /// T = L / v_ref [s], the paper's initial duration of a segment. Throws std::invalid_argument unless `v_ref` is

@@ -23,8 +23,8 @@ inline TwoDiscs two_discs(const Robot& robot)
   return {offset, std::hypot(offset, robot.width / 2.0) + robot.safety_margin};
 }
 
-/// Two discs within the body, as far apart as they get and as wide as it is: wherever the body fits with `margin` to
-/// spare [m], their centres keep `radius`.
+/// Two discs within the body, as far apart as possible and as wide as the body. If the body keeps `margin` [m] from all
+/// obstacles, the disc centres keep `radius`.
 inline TwoDiscs inscribed_discs(const Robot& robot, double margin)
 {
   return {std::max(0.0, robot.length - robot.width) / 2.0, std::min(robot.length, robot.width) / 2.0 + margin};
@@ -36,13 +36,13 @@ struct DiscCover
   std::vector<Point2> centres;  ///< on the body, from front to rear [m]
   double radius;                ///< that the centres keep from obstacles [m]
 
-  /// Of the centre farthest from C [m].
+  /// Distance of the farthest disc centre from C, the centre of the wheels [m].
   double reach() const { return centres.empty() ? 0.0 : std::hypot(centres.front().x, centres.front().y); }
 };
 
-/// Discs over the cells of a grid on the body, so many along it and across it, the safety margin in their radius. Two along
-/// and one across are the paper's; more in a row stick out less to the sides but more to front and rear, several rows less
-/// everywhere.
+/// Discs over the cells of a grid on the body, with the given numbers along and across it. The radius includes the
+/// safety margin. The paper's discs are two along and one across. More discs in one row extend less beyond the sides,
+/// but more beyond front and rear. Several rows extend less everywhere.
 inline DiscCover disc_cover(const Robot& robot, int along, int across = 1)
 {
   const double length = robot.length / along, width = robot.width / across;
@@ -60,7 +60,7 @@ inline DiscCover without_margin(DiscCover cover, const Robot& robot)
   return cover;
 }
 
-/// Many small discs, without safety margin, over cells of at most 62.5 mm: they stick out by 13 mm at most.
+/// Many small discs without safety margin, over cells of at most 62.5 mm. They extend beyond the body by 13 mm at most.
 inline DiscCover snug_cover(const Robot& robot)
 {
   constexpr double kCell = 0.0625;  // [m]

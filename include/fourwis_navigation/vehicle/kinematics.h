@@ -17,7 +17,7 @@ struct Twist
 /// speed of each wheel, > 0 to the left, and phi means nothing. Zero for Mode::none.
 Twist body_twist(const Robot& robot, Mode mode, double v, double phi);
 
-/// Distance of the steering axes from C [m]: in spin omega = v / spin_radius.
+/// Distance of the steering axes from C, the centre of the wheels [m]: in spin omega = v / spin_radius.
 double spin_radius(const Robot& robot);
 
 /// omega / v of a mode at equivalent steering angle phi [1/m]: 2 tan(phi)/L, 2 tan(phi)/W, 0, in spin 1/spin_radius.
@@ -66,8 +66,8 @@ private:
 /// wrapped.
 Pose advance(const Robot& robot, const Pose& start, Mode mode, double phi, double s);
 
-/// Where a body is that keeps the twist for `duration` [s]: the exact arc, the exponential of SE(2). theta is not
-/// wrapped.
+/// Where a body is after it has kept the twist for `duration` [s]: the exact arc, the exponential of SE(2). theta is
+/// not wrapped.
 Pose move(const Pose& start, const Twist& twist, double duration);
 
 }  // namespace fourwis

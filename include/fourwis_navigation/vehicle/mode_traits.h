@@ -20,7 +20,7 @@ struct ModeTraits
 {
   Mode mode;
 
-  /// C moves, at speed v. Where it does not, v is the rolling speed of each wheel.
+  /// C, the centre of the wheels, moves at speed v. Where it does not, v is the rolling speed of each wheel.
   bool translates;
 
   /// The direction in which C moves for v > 0, at phi = 0.
@@ -66,7 +66,7 @@ constexpr const ModeTraits& traits_of(Mode mode)
   return kModeTraits[index_of(mode)];
 }
 
-/// The first mode of which that is true, Mode::none where there is none.
+/// The first mode for which the trait is true; Mode::none if there is none.
 constexpr Mode mode_that(bool ModeTraits::*is_true)
 {
   for (const ModeTraits& traits : kModeTraits)
@@ -74,7 +74,7 @@ constexpr Mode mode_that(bool ModeTraits::*is_true)
   return Mode::none;
 }
 
-/// The mode that goes straight in any direction, and the one that turns without going anywhere.
+/// The mode that goes straight in any direction, and the one that turns in place.
 inline constexpr Mode kTranslation = mode_that(&ModeTraits::follows_phi);
 inline constexpr Mode kTurnInPlace = mode_that(&ModeTraits::turns_in_place);
 static_assert(kTranslation != Mode::none && kTurnInPlace != Mode::none);

@@ -9,9 +9,10 @@
 namespace fourwis
 {
 
-// A wheel rolls the same way at (angle, speed) and at (angle + k pi, (-1)^k speed). Which of these branches within
-// +- Robot::wheel_max_angle a wheel is on is chosen at standstill, for everything up to the next standstill in another
-// mode, and kept while moving: a wheel that changes its branch has to turn by 180 degrees.
+// A wheel rolls the same way at (angle, speed) and at (angle + k pi, (-1)^k speed). These are its branches. At
+// standstill a branch within +- Robot::wheel_max_angle is chosen for each wheel, for everything up to the next
+// standstill in another mode. It is kept while moving, because a wheel that changes its branch has to turn by 180
+// degrees.
 
 /// What one mode will ask of the wheels until they may choose again.
 struct SteeringStretch
@@ -25,22 +26,22 @@ struct SteeringStretch
 struct BeyondTravel
 {
   int wheel = 0;
-  double angle = 0.0;  ///< where the branch that misses least would have to go [rad]
+  double angle = 0.0;  ///< angle that the branch with the least excess would have to reach [rad]
 };
 
-/// The same motion on branches of choice, or the first wheel that cannot.
+/// The same motion on chosen branches, or the first wheel that has none.
 struct BranchedMotion
 {
   WheelMotion motion;
   std::optional<BeyondTravel> beyond;  ///< empty when `motion` is valid
 };
 
-/// At standstill: the angles at the start of the stretch, speed 0, each on the branch that stays within the travel for
-/// the whole stretch and is nearest to the measured angle.
+/// To be called at standstill. Returns the angles at the start of the stretch, with speed 0. Each is on the branch
+/// nearest to the measured angle among those that stay within the travel for the whole stretch.
 BranchedMotion choose_branches(const Robot& robot, const SteeringStretch& stretch, const PerWheel& measured);
 
-/// While moving: `motion` with each wheel on the branch nearest to the angle it was last told to have, within its
-/// travel or not at all.
+/// To be called while moving. Returns `motion` with each wheel on the branch nearest to the last commanded angle. If
+/// this branch is beyond the travel, there is no such motion.
 BranchedMotion continue_branches(const Robot& robot, const WheelMotion& motion, const PerWheel& previous);
 
 }  // namespace fourwis

@@ -10,7 +10,7 @@
 namespace fourwis
 {
 
-/// Where the wheels say the body has got to.
+/// Where the body is according to its wheels.
 struct Odometry
 {
   double stamp = 0.0;                                         ///< of the last measurement [s]
@@ -26,7 +26,7 @@ enum class OdometryStatus
   integrated,
   not_newer,   ///< refused: its stamp is not later than the last one
   not_finite,  ///< refused: something in it is no number
-  gap          ///< begins a sequence anew: the interval is too long for anything to be known of the motion in it
+  gap          ///< begins a new sequence: the interval is too long to know the motion in it
 };
 
 /// Integrates the twists of the wheels: over each interval the mean of the twists at its ends, on the exact arc. The
@@ -42,7 +42,7 @@ public:
 
   const Odometry& state() const { return state_; }
 
-  /// Says where the body is from now on, exactly; also a way to make odometry jump.
+  /// Sets the pose of the body, without uncertainty. It may jump.
   void set_pose(const Pose& pose);
 
 private:

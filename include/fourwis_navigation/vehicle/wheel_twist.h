@@ -11,7 +11,7 @@
 namespace fourwis
 {
 
-/// How far wheels are believed.
+/// How much the measured wheels are trusted.
 struct WheelTwistOptions
 {
   double deviation = 0.01;     ///< standard deviation of a wheel's velocity, along and across its heading [m/s]

@@ -15,7 +15,7 @@ using WheelAngles = std::array<double, kWheels>;
 /// steering axis.
 WheelAngles wheel_angles(const Robot& robot, Mode mode, double phi);
 
-/// Speed of the fastest wheel for each m/s of C.
+/// Speed of the fastest wheel for each m/s of C, the centre of the wheels.
 double wheel_speed_ratio(const Robot& robot, Mode mode, double phi);
 
 /// Least time in which all wheels can turn at rest from the one to the other, each by the shortest way within
