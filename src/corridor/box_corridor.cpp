@@ -38,7 +38,8 @@ std::vector<Pose> places(const std::vector<Pose>& knots, double offset)
   return centres;
 }
 
-/// One box for each place; raises `deficit` where the place is too close. A sentence if there is no box, else nothing.
+/// Makes one box for each place, and raises `deficit` if the place is too close. Returns a sentence if there is no box,
+/// else an empty one.
 std::string append_boxes(const ObstacleRectangles& obstacles, const std::vector<Pose>& places, const char* disc,
                          double radius, const BoxOptions& options, std::vector<Box>& boxes,
                          std::vector<double>& deficit)

@@ -44,7 +44,7 @@ Box strip_beyond(const Box& box, const Side& side, double step)
   return strip;
 }
 
-/// How far a side has got.
+/// How far a side has grown.
 struct Progress
 {
   Side side;

@@ -11,13 +11,13 @@ namespace fourwis
 namespace
 {
 
-/// An obstacle this near to the chord leaves no direction to keep away from it [m].
+/// If an obstacle is this near to the chord, there is no direction for its half-plane [m].
 constexpr double kTouches = 1e-6;
-/// Distances are kept but for this much [m].
+/// Distances are kept with this tolerance [m].
 constexpr double kRounding = 1e-10;
 constexpr std::size_t kRangePlanes = 4;
 
-/// An obstacle no half-plane keeps away from yet.
+/// An obstacle for which there is no half-plane yet.
 struct Candidate
 {
   Box rectangle;
@@ -74,7 +74,7 @@ void prune(const Chord& chord, double range, Polytope& planes)
   const double length = std::hypot(chord.b.x - chord.a.x, chord.b.y - chord.a.y);
   Polygon polygon(chord.a, 2.0 * (range + length));
   for (std::size_t i = 0; i < planes.size(); ++i) polygon.cut(planes[i], static_cast<int>(i));
-  // A region as thin as rounding has lost its sides: leave it as it is.
+  // If a region is so thin that rounding has removed its sides, it stays as it is.
   if (polygon.corners().size() < 3) return;
   Polytope kept;
   for (std::size_t i = 0; i < planes.size(); ++i)

@@ -12,7 +12,7 @@ namespace fourwis
 struct ChordRegion
 {
   Polytope planes;       ///< empty when the chord meets an obstacle
-  double deficit = 0.0;  ///< of the distance asked for, what the region does not keep [m]
+  double deficit = 0.0;  ///< how much less than the wanted distance the region keeps [m]
 };
 
 /// See polytope_corridor(); `keep` is the distance asked for, r_c + shrink [m].

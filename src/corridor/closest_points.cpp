@@ -26,7 +26,7 @@ bool meet(const Chord& chord, const Box& box)
   return least_along(box, nx, ny) <= offset && -least_along(box, -nx, -ny) >= offset;
 }
 
-/// Of two convex shapes that do not meet, the nearest points are a corner of the one and some point of the other.
+/// If two convex shapes do not meet, one of the nearest points is a corner of its shape.
 template <typename Consider>
 void each_candidate(const Chord& chord, const Box& box, Consider consider)
 {

@@ -21,7 +21,7 @@ struct Chord
 /// The point of a rectangle nearest to `point`.
 Point2 nearest(const Box& rectangle, const Point2& point);
 
-/// A point of a chord and a point of a rectangle with no two nearer to each other.
+/// The nearest points of a chord and a rectangle.
 struct ClosestPoints
 {
   Point2 on_chord, on_rectangle;

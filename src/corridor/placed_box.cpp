@@ -10,7 +10,7 @@ namespace fourwis
 namespace
 {
 
-/// Distances are kept but for this much [m].
+/// Distances are kept with this tolerance [m].
 constexpr double kRounding = 1e-10;
 
 using Corners = std::array<Point2, 4>;
@@ -58,8 +58,8 @@ PlacedBox::PlacedBox(const ObstacleRectangles& obstacles, const Box& box)
   bounds_ = bounds_of(corners_);
 }
 
-/// Separating axes are those of the two frames. Without one the shapes meet; else a corner of the one is nearest to the
-/// other.
+/// The axes of the two frames may be separating axes. If none of them separates, the shapes meet. Otherwise a corner of
+/// one shape is nearest to the other.
 double PlacedBox::squared_distance(const Box& obstacle) const
 {
   Corners corners = corners_of(obstacle);

@@ -7,7 +7,7 @@ namespace fourwis
 namespace
 {
 
-/// Corners this little outside are left where they are [m].
+/// Corners that are outside by less than this stay where they are [m].
 constexpr double kRounding = 1e-12;
 
 double excess(const HalfPlane& plane, const Point2& point)

@@ -8,7 +8,7 @@
 namespace fourwis
 {
 
-/// A convex polygon that half-planes are cut off from.
+/// A convex polygon that is cut by half-planes.
 class Polygon
 {
 public:

@@ -13,7 +13,7 @@ namespace fourwis
 namespace
 {
 
-/// What is wrong with the question; empty when nothing is.
+/// What is wrong with the arguments; empty if they are valid.
 std::string complaint(const std::vector<Pose>& knots, const std::vector<double>& shrink)
 {
   const std::string wrong = complaint(knots);

@@ -20,7 +20,7 @@ CorridorResult<Regions> refusal(CorridorStatus status, std::string message)
   return result;
 }
 
-/// What is wrong with the knots; empty when nothing is.
+/// What is wrong with the knots; empty if they are valid.
 inline std::string complaint(const std::vector<Pose>& knots)
 {
   if (knots.size() < 2) return sentence("the reference has %zu knots, expected at least 2", knots.size());

@@ -37,8 +37,8 @@ struct NlpResult
   int iterations = 0;
 };
 
-/// Solves on Ipopt with exact second derivatives. Only one program in the process is solved at a time, others wait:
-/// MUMPS, on which Ipopt depends in Debian, is not thread-safe. Throws as check() does.
+/// Solves on Ipopt with exact second derivatives. Only one program in the process is solved at a time, and others wait,
+/// because MUMPS, which Ipopt uses in Debian, is not thread-safe. Throws as check() does.
 NlpResult solve_on_ipopt(const Nlp& nlp, const IpoptOptions& options, const Interrupt& interrupt);
 
 }  // namespace fourwis

@@ -11,9 +11,9 @@ namespace fourwis
 namespace
 {
 
-/// Kept from the limits of the wheels, for rounding.
+/// Reserve to the limits of the wheels, for rounding.
 constexpr double kReserve = 1.0 - 1e-3;
-/// Places between straight and full lock at which the wheels are looked at.
+/// Number of angles between straight and full lock at which the wheels are checked.
 constexpr int kSteps = 64;
 
 /// Greatest |d delta_i / d phi| of any wheel at phi and at -phi, by central differences.

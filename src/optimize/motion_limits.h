@@ -18,7 +18,7 @@ public:
   double angle;             ///< of |phi| [rad]
   double acceleration;      ///< of |a| [m/s^2]
   double steering_rate;     ///< of |omega| at every phi [rad/s]
-  double fastest_steering;  ///< of |omega| where phi is such that no wheel turns faster than the equivalent one [rad/s]
+  double fastest_steering;  ///< of |omega| at a phi at which no wheel turns faster than the equivalent one [rad/s]
 
   /// What the optimisation allows a wheel to turn about its own axis: the limit less a reserve for rounding [rad/s].
   static double wheel_rate(const Robot& robot);

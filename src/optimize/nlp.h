@@ -72,7 +72,7 @@ struct Nlp
   }
 };
 
-/// Whether bounds and start are numbers that make sense.
+/// Whether bounds and start are valid numbers.
 bool is_valid(const Nlp& nlp);
 
 }  // namespace fourwis

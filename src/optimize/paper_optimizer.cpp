@@ -14,7 +14,7 @@ namespace fourwis
 namespace
 {
 
-/// The paper's limits: it knows none of single wheels.
+/// The paper's limits. It has no limits of single wheels.
 MotionLimits paper_limits(const Robot& robot, Mode mode, double reference_speed)
 {
   MotionLimits limits(robot, mode, reference_speed);

@@ -43,7 +43,7 @@ private:
   int duration_ = 0;                          ///< index of T
 };
 
-/// psi of points that are equally far apart in time, with the disc centres of the inner knots where they do best in
+/// psi of points that are equally far apart in time. The disc centres of the inner knots are at their best places in
 /// their boxes.
 double paper_infeasibility(const Trajectory& points, const BoxCorridor& boxes, const Robot& robot);
 

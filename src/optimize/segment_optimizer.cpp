@@ -17,9 +17,9 @@ struct Effort
   int iterations;
 };
 
-/// From the reference. Most take 10 to 50 iterations, long lateral segments at full lock now and then 150.
+/// From the reference. Most solves take 10 to 50 iterations; long lateral segments at full lock sometimes take 150.
 constexpr Effort kCold{0.1, 300};
-/// From a solution of nearly the same problem: if the first, quick one fails, the second.
+/// From a solution of nearly the same problem. The second is tried if the first, quick one fails.
 constexpr Effort kWarm[] = {{1e-3, 60}, {1e-2, 300}};
 
 using Solver = ocp::Solver<SegmentModel>;

@@ -12,7 +12,8 @@ namespace
 using Problem = ocp::Problem<5, 3>;
 using Bounds = ocp::Bounds<5, 3>;
 
-/// Speed at a knot where the robot is to stop: the solver needs some room between the bounds [m/s].
+/// Greatest speed at a knot where the robot has to stop. It is not 0 because the solver needs room between the bounds
+/// [m/s].
 constexpr double kStandstill = 1e-3;
 
 bool is_cusp(const Segment& segment, std::size_t knot)
@@ -73,7 +74,7 @@ void set_bounds(const SegmentTask& task, const MotionLimits& limits, const Optim
   const Segment& segment = task.segment;
   const std::size_t n = segment.intervals();
   const double h_ref = problem.model.h_ref;
-  // From rest to rest over a short way there is no time to reach the speed that h_ref stands for.
+  // From rest to rest over a short way, the speed on which h_ref is based is not reached.
   const double ramp = limits.speed * limits.speed / limits.acceleration;
   const double room = std::sqrt(std::min(travel, ramp) / limits.acceleration);
   const double longest = std::max(options.longest_interval * h_ref, room);
@@ -125,8 +126,8 @@ void SegmentModel::differentiate(std::size_t, const State& x, const Control& u, 
   add_symmetric(d, OMEGA, H, 2.0 * alpha * v * v * omega);
 }
 
-/// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2: where the robot has time to steer, it is not to use it for
-/// going far between two knots, out of what regions and chords know of.
+/// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2. Where the robot takes time to steer, it must not move far
+/// between two knots, because regions and chords are valid only near the reference.
 void SegmentModel::differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const
 {
   const double v = q[3], a = q[5], h = q[7], scale = 2.0 / (reach * reach);

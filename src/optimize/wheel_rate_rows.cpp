@@ -10,7 +10,7 @@ namespace fourwis
 namespace
 {
 
-/// Rounds the corner of |sin 2 phi| off.
+/// Smooths the corner of |sin 2 phi|.
 constexpr double kRounding = 0.05;
 
 double ratio(const Robot& robot, Mode mode)

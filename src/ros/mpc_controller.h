@@ -16,9 +16,9 @@
 namespace fourwis
 {
 
-/// The controller's node: drives the robot along what comes on `trajectory`, as long as the sender, who listens to what
-/// becomes of it, is there. README.md describes its topics. All callbacks, tf's too, are on the global queue: spin it
-/// with one thread.
+/// The controller's node: drives the robot along the trajectories that come on `trajectory`, as long as their sender is
+/// there and listens to the answers. README.md describes its topics. All callbacks, also those of tf, are on the global
+/// queue: spin it with one thread.
 class MpcController
 {
 public:

@@ -30,7 +30,7 @@ void turn(PathPiece& piece, double turns)
   if (std::remainder(turns, 2.0) != 0.0) piece.length = -piece.length;
 }
 
-/// Between two angles equally near the smaller turn is chosen, in spite of rounding.
+/// If two angles are equally near, the smaller turn is chosen. This much is rounding.
 constexpr double kRounding = 1e-9;
 
 /// How many half turns bring phi nearest to the angle before it, or next to nearest if only that is within the travel.
@@ -54,7 +54,7 @@ void keep_angle_near(std::vector<PathPiece>& pieces, double max_angle)
     turn(piece, half_turns(pieces[i - 1].phi, piece.phi, range, max_angle));
     range = range.with(piece.phi);
   }
-  // The whole range in the middle of the travel, as far as half turns bring it there.
+  // Half turns bring the whole range as near to the middle of the travel as possible.
   const double turns = -std::round((range.low + range.high) / (2.0 * M_PI));
   for (PathPiece& piece : pieces) turn(piece, turns);
 }

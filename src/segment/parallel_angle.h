@@ -8,8 +8,8 @@ namespace fourwis
 {
 
 /// Replaces (phi, length) of each parallel piece by the same motion (phi +- k pi, +- length) whose angle is nearest to
-/// that of the piece before it, among those that a wheel which turns within +- `max_angle` [rad] can take without a
-/// jump by pi since the first piece. Where there is none, simply the nearest. All angles lie about the middle of the
+/// that of the piece before it, among those that a wheel with a travel of +- `max_angle` [rad] can take without a jump
+/// by pi since the first piece. If there is none, the nearest angle is taken. All angles lie around the middle of the
 /// travel.
 void keep_angle_near(std::vector<PathPiece>& pieces, double max_angle);
 

@@ -21,7 +21,7 @@ constexpr double kGap = 1e-3;
 /// See split_at_switches().
 constexpr int kLeastIntervals = 4;
 constexpr double kMostIntervals = 1e6;
-/// So much longer than `spacing` an interval may be before there is one more, in parts of it: rounding.
+/// An interval may be longer than `spacing` by this share of it, because of rounding.
 constexpr double kRounding = 1e-9;
 
 bool is_usable(const PathPiece& piece, const Robot& robot)

@@ -33,17 +33,17 @@ void check(const BoxOptions& options);
 /// `deficit` is one per knot.
 using BoxCorridorResult = CorridorResult<BoxCorridor>;
 
-/// The paper's Algorithm 2: for each knot, boxes around the two disc centres, axis-aligned in the map frame (however
-/// the grid is turned) and grown side by side, first coarsely, then finely. The side that looks most along the motion
-/// of the disc centre to its next place grows first, then that of the motion's other component, then the sides
-/// opposite to the two.
+/// The paper's Algorithm 2: for each knot, boxes around the two disc centres. They are axis-aligned in the map frame,
+/// also if the grid is turned. They grow side by side, first coarsely, then finely. The side that faces most along the
+/// motion of the disc centre to its next place grows first, then the side of the motion's other component, then the
+/// sides opposite to the two.
 ///
 /// Every point of a box is min(r_c, distance of the waypoint) away from every obstacle and from the map's border:
 /// `deficit` is how much the second is less than the first, for the worse of the two discs. The test is exact: a box
 /// grown by a disc is free if no obstacle's rectangle is nearer to the box than the disc's radius.
 ///
-/// Departures: boxes grow from the waypoint itself, since the paper's square of side Delta d_1 may collide beside a
-/// wall; no side goes beyond d_max, which the paper checks before a step only.
+/// Deviations from the paper: boxes grow from the waypoint itself, because the paper's square of side Delta d_1 may
+/// collide beside a wall. No side goes beyond d_max; the paper checks that only before a step.
 ///
 /// Throws as check() does.
 BoxCorridorResult box_corridor(const ObstacleRectangles& obstacles, const TwoDiscs& discs, const BoxOptions& options,

@@ -6,7 +6,7 @@
 namespace fourwis
 {
 
-/// What became of a corridor.
+/// Whether there is a corridor, and if not, why.
 enum class CorridorStatus
 {
   succeeded,
@@ -32,7 +32,7 @@ struct CorridorResult
   CorridorStatus status = CorridorStatus::invalid_input;
   std::string message;          ///< why not succeeded: one sentence with numbers, for a person
   Regions regions;              ///< none unless succeeded
-  std::vector<double> deficit;  ///< of the distance asked for, what the regions of an interval or knot do not keep [m]
+  std::vector<double> deficit;  ///< how much less than the wanted distance the regions of an interval or knot keep [m]
 };
 
 }  // namespace fourwis

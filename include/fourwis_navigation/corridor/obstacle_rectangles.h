@@ -22,12 +22,12 @@ public:
   /// Keeps no reference to the map.
   explicit ObstacleRectangles(const ObstacleMap& map);
 
-  /// Whether `predicate` holds for any obstacle in `window`. What it is given is cut to the window; where the window
-  /// leaves the grid, the outside is an obstacle too. The window must be finite.
+  /// Whether `predicate` holds for any obstacle in `window`. Obstacles are cut to the window before. Where the window
+  /// leaves the grid, the outside is an obstacle as well. The window must be finite.
   template <typename Predicate>
   bool any_of(const Box& window, Predicate predicate) const;
 
-  /// Whether a point lies in the grid; a point that is not finite does not.
+  /// Whether a point lies in the grid. False if it is not finite.
   bool contains(const Point2& p) const { return p.x >= 0.0 && p.y >= 0.0 && p.x <= width_ && p.y <= height_; }
 
   /// Into the grid's frame, and back.

@@ -31,26 +31,27 @@ void check(const PolytopeOptions& options);
 /// `deficit` is one per interval.
 using PolytopeCorridor = CorridorResult<Corridor>;
 
-/// Convex regions for the disc centres over the intervals between knots, the paper's future work in place of its boxes.
+/// Convex regions for the disc centres over the intervals between knots, which the paper names as future work, in place
+/// of its boxes.
 ///
-/// While the robot moves from one knot to the next, a disc centre moves about along the chord between its places at the
-/// two knots. The region of the interval
+/// While the robot moves from one knot to the next, a disc centre moves approximately along the chord between its
+/// places at the two knots. The region of the interval
 ///  - contains that chord, always;
 ///  - keeps the distance min(r_c + shrink, distance of the chord) to every obstacle and to the map's border: `deficit`
-///    is how much the second is less than the first, for the worst of the discs. The chord of an arc whose every
-///    point is r_c away may come closer by the arc's sagitta: the region then gives way by that much, towards that
-///    obstacle only;
+///    is how much the second is less than the first, for the worst of the discs. If every point of an arc is r_c
+///    away, its chord may come closer by the arc's sagitta. Then the region keeps that much less, from that obstacle
+///    only;
 ///  - is an intersection of half-planes, each of them as far out as its obstacle or the range allows.
 ///
-/// Obstacle by obstacle, nearest first: let p on the chord and q on the obstacle be the nearest points, n the unit
-/// vector from p to q. The half-plane n x <= n q - min(r_c + shrink, |q - p|) holds the chord, since no point of it
-/// lies beyond p along n, and keeps its distance, since the obstacle, convex, lies beyond q. All else that lies that
-/// far beyond the half-plane needs none of its own. If the half-planes are used up before the obstacles are, and the
-/// nearest of those left is d + r_c + shrink away, the range is cut to d/sqrt(2): the corners of a rectangle that
-/// reaches so far beyond the chord are d away from it.
+/// Half-planes are made obstacle by obstacle, nearest first. Let p on the chord and q on the obstacle be the nearest
+/// points, and n the unit vector from p to q. The half-plane is n x <= n q - min(r_c + shrink, |q - p|). It contains
+/// the chord, because no point of the chord lies beyond p along n. It keeps its distance, because the obstacle is
+/// convex and lies beyond q. Other obstacles that lie that far beyond the half-plane need none of their own. If there
+/// are more obstacles than half-planes, let the nearest of the remaining ones be d + r_c + shrink away. Then the range
+/// is cut to d/sqrt(2): the corners of a rectangle that reaches so far beyond the chord are d away from it.
 ///
-/// `shrink` (one per interval, or none) makes regions smaller [m] where a trajectory came too close between knots; not
-/// negative. Coinciding knots are fine. Throws as check() does.
+/// `shrink` (one per interval, or none; not negative) makes regions smaller [m] where a trajectory came too close
+/// between knots. Knots may coincide. Throws as check() does.
 PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const DiscCover& discs,
                                    const PolytopeOptions& options, const std::vector<Pose>& knots,
                                    const std::vector<double>& shrink = {});

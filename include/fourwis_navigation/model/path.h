@@ -15,8 +15,8 @@ struct PathPiece
   Mode mode = Mode::none;
   Pose start;        ///< where it begins, map frame
   double phi = 0.0;  ///< equivalent steering angle [rad]
-  double length =
-      0.0;  ///< signed arc length of C, the centre of the wheels [m]; negative drives backward (to the right in lateral mode)
+  /// Signed arc length of C, the centre of the wheels [m]; negative drives backward (to the right in lateral mode).
+  double length = 0.0;
 };
 
 /// The front end's answer. Pieces follow one another without gaps: each begins where the one before it ends, and a

@@ -5,8 +5,8 @@
 namespace fourwis
 {
 
-/// SegmentOptimizer's problem, the very same, on Ipopt: slower, but another algorithm: what tests compare the
-/// structured solver with. Solves of several threads wait for one another.
+/// The same problem as SegmentOptimizer's, on Ipopt. It is slower, but another algorithm, so tests compare the
+/// structured solver with it. Only one thread solves at a time; others wait.
 class IpoptSegmentOptimizer
 {
 public:
@@ -14,8 +14,8 @@ public:
   /// finite.
   IpoptSegmentOptimizer(const Robot& robot, const OptimizeOptions& options, double reference_speed);
 
-  /// As SegmentOptimizer::solve(). A segment or corridor that makes no sense is not solved.
-  /// Throws std::logic_error where has_ipopt() is false.
+  /// As SegmentOptimizer::solve(). A segment or corridor that is not valid is not solved. Throws std::logic_error where
+  /// has_ipopt() is false.
   SegmentSolution solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const;
 
 private:

@@ -8,7 +8,7 @@ enum class NlpStatus
 {
   solved,           ///< to the tolerance asked for
   acceptable,       ///< no further progress, within Ipopt's looser tolerance
-  iteration_limit,  ///< the result is the last iterate, as in all that follow but the last
+  iteration_limit,  ///< the result is the last iterate, also for the next three
   infeasible,       ///< the constraints' violation has a (local) minimum above zero
   failed,           ///< no step makes progress
   interrupted,      ///< by the caller

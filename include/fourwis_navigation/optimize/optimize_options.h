@@ -15,7 +15,7 @@ enum class NlpSolver
   ipopt        ///< the same problem, some ten times slower
 };
 
-/// Which problem a segment's is.
+/// Which problem is solved for a segment.
 enum class Formulation
 {
   standard,  ///< SegmentOptimizer's

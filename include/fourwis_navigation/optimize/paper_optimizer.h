@@ -31,8 +31,8 @@ struct PaperOptions
 /// Throws std::invalid_argument naming key, value and range.
 void check(const PaperOptions& options);
 
-/// What became of one solve. `points` begin at t = 0 and are the N + 1 knots, T/N apart; wherever the solver ended,
-/// they are its last iterate. None if the problem is invalid.
+/// Result of one solve. `points` begin at t = 0 and are the N + 1 knots, T/N apart. They are the solver's last iterate,
+/// also if it did not converge. There are none if the problem is invalid.
 struct PaperSolution
 {
   NlpStatus status = NlpStatus::invalid_problem;
@@ -51,7 +51,7 @@ struct PaperSolution
 ///   subject to  p_k in the boxes of knot k, limits on v, phi, a, omega,
 ///               first and last pose and phi as in the reference, v = 0 at both.
 ///
-/// Departures, none of which moves the optimum:
+/// Deviations from the paper, none of which changes the optimum:
 ///  - the residuals d_k = x_{k+1} - ... and g_k = p_k - O(x_k) are variables (the lifted form): the weight 1e6 stands
 ///    on their squares alone instead of on every product of derivatives, which Ipopt solves more often;
 ///  - theta is continuous, and fixed at the end: the gradients of sin theta_N = s and cos theta_N = c are parallel, so

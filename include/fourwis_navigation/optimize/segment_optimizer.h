@@ -23,12 +23,12 @@ struct SegmentTask
   std::vector<char> pinned = {};  ///< the knots at which the robot stops (one per knot, or none)
 };
 
-/// What became of one solve. `points` begin at t = 0 and are the solver's knots; they are filled also where it did not
-/// converge, as the start of another try.
+/// Result of one solve. `points` begin at t = 0 and are the solver's knots. They are filled also if it did not
+/// converge, so that another solve can start there.
 struct SegmentSolution
 {
   bool solved = false;
-  std::string message;  ///< the solver's word for how it ended
+  std::string message;  ///< how the solver ended, for messages
   Trajectory points;
   int iterations = 0;
   double corridor_violation = 0.0;  ///< greatest distance by which a disc centre leaves its region at a knot [m], or
@@ -41,7 +41,7 @@ struct SegmentSolution
 ///               the disc centres at knot k in their regions of the intervals k - 1 and k,
 ///               no interval much longer than the segment's (elastic),
 ///               the segment's first and last pose, v = 0 at both.
-/// phi starts at the reference's and ends where it wants: the wheels are turned at rest in between.
+/// phi starts at the reference's value. At the end it is free, because the wheels are turned at rest between segments.
 class SegmentOptimizer
 {
 public:

@@ -11,14 +11,13 @@ namespace fourwis
 
 /// Splits a path where the mode changes and resamples each part as a reference for the optimisation.
 ///
-/// Every run (stretch of one driving direction) is cut into intervals of equal length, none longer than `spacing` [m]
-/// and at least four: from rest to rest the speed rises and falls (slopes + + - -) while the steering goes out, over
-/// and back (+ - - +), and an interval has one slope of each. Knots lie on the path's exact arcs; the angle of an
-/// interval over which the wheels turn is the mean by length. Headings are continuous from the first segment to the
-/// last.
+/// Every run (stretch of one driving direction) is cut into at least four intervals of equal length, none longer than
+/// `spacing` [m]. Four are needed because from rest to rest the speed has the slopes + + - - and the steering angle + -
+/// - +, and an interval has one slope of each. Knots lie on the path's exact arcs. If the wheels turn within an
+/// interval, its angle is the mean by length. Headings are continuous from the first segment to the last.
 ///
-/// In parallel mode (phi, s) and (phi +- pi, -s) are the same motion: within a segment each piece takes the angle
-/// nearest to that of the piece before it, as far as the wheels' travel allows, so phi may leave [-pi/2, pi/2] and a
+/// In parallel mode (phi, s) and (phi +- pi, -s) are the same motion. Within a segment each piece takes the angle
+/// nearest to that of the piece before it, as far as the wheels' travel allows. So phi may leave [-pi/2, pi/2], and a
 /// sharp corner becomes a cusp.
 ///
 /// Pieces shorter than a micrometre are dropped, and so is a segment that has no others. The result is empty when there

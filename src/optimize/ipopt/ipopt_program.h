@@ -9,7 +9,7 @@
 namespace fourwis
 {
 
-/// A nonlinear program the way Ipopt asks for it. Keeps references to program and interrupt.
+/// A nonlinear program in the interface of Ipopt. Keeps references to program and interrupt.
 class IpoptProgram : public Ipopt::TNLP
 {
 public:
