@@ -112,7 +112,7 @@ TEST(Arguments, EveryOptionIsRead)
   EXPECT_EQ(arguments.svg, "s.svg");
 }
 
-TEST(Arguments, MalformedPosesAreRefusedByOptionAndValue)
+TEST(Arguments, MalformedPosesAreRejectedByOptionAndValue)
 {
   for (const std::string option : {"--start", "--goal"})
     for (const std::string pose : {"nan,0,0", "0,inf,0", "0,0,-inf", "1,2", "1,2,3,4", "1,2,", ",1,2", "a,b,c",
@@ -126,7 +126,7 @@ TEST(Arguments, MalformedPosesAreRefusedByOptionAndValue)
     }
 }
 
-TEST(Arguments, UnknownModesAreRefusedByName)
+TEST(Arguments, UnknownModesAreRejectedByName)
 {
   for (const std::string modes : {"spin", "none", "Ackermann", "ackermann,", ",lateral", "ackermann,sideways",
                                   "ackermann lateral", "ackermann, lateral"})
@@ -185,7 +185,7 @@ TEST(Arguments, OnlyTheJsonGoesToTheStandardOutput)
   for (const std::string option : {"--csv", "--svg"}) expect_refusal(valid({option, "-"}), {option, "standard output"});
 }
 
-TEST(Arguments, UnknownArgumentsAreRefusedByName)
+TEST(Arguments, UnknownArgumentsAreRejectedByName)
 {
   expect_refusal(valid({"--bogus", "1"}), {"--bogus"});
   expect_refusal(valid({"stray"}), {"stray"});

@@ -97,7 +97,7 @@ TEST_F(BridgeInItsThread, StopsForAnEmergencyStopThatIsReleasedBeforeItCouldLook
   EXPECT_FALSE(update_.report.emergency_stop);
 }
 
-TEST(BridgeThread, RefusesOptionsThatContradictEachOtherWhereItIsMade)
+TEST(BridgeThread, RejectsOptionsThatContradictEachOtherWhereItIsMade)
 {
   can::BridgeOptions options;
   options.driving[0].node = 1;

@@ -232,7 +232,7 @@ TEST(FakeDrivesLaws, TheSameFramesGiveTheSameFrames)
   }
 }
 
-TEST(FakeDrivesLaws, OptionsOutOfRangeAreRefusedByName)
+TEST(FakeDrivesLaws, OptionsOutOfRangeAreRejectedByName)
 {
   can::MemoryBus bus;
   const auto end = bus.open();

@@ -26,7 +26,7 @@ std::string refusal(const Check& check)
   return {};
 }
 
-void expect_refused(const OccupancyGrid& grid, const std::string& field)
+void expect_rejected(const OccupancyGrid& grid, const std::string& field)
 {
   EXPECT_NE(refusal([&] { check_grid(grid); }).find(field), std::string::npos) << refusal([&] { check_grid(grid); });
   EXPECT_NE(refusal([&] { ObstacleMap map(grid); }).find(field), std::string::npos) << field;
@@ -38,48 +38,48 @@ TEST(CheckGrid, AcceptsWhatIsUsable)
   EXPECT_EQ(refusal([] { check_grid(free_grid(30, 2, 5.0, {-1e4, 1e4, 100.0})); }), "");
 }
 
-TEST(CheckGrid, RefusesGridsWithoutCells)
+TEST(CheckGrid, RejectsGridsWithoutCells)
 {
   for (int size : {0, -1, std::numeric_limits<int>::min()})
   {
     OccupancyGrid grid = free_grid(3, 3, 0.1);
     grid.width = size;
-    expect_refused(grid, "width");
+    expect_rejected(grid, "width");
     grid.width = 3;
     grid.height = size;
-    expect_refused(grid, "height");
+    expect_rejected(grid, "height");
   }
-  expect_refused({}, "width");
+  expect_rejected({}, "width");
 }
 
-TEST(CheckGrid, RefusesDataOfAnotherSize)
+TEST(CheckGrid, RejectsDataOfAnotherSize)
 {
   for (std::size_t cells : {0u, 1u, 11u, 13u, 1000u})
   {
     OccupancyGrid grid = free_grid(4, 3, 0.1);
     grid.data.resize(cells);
-    expect_refused(grid, "data");
+    expect_rejected(grid, "data");
   }
   OccupancyGrid huge = free_grid(4, 4, 0.1);
   huge.width = huge.height = std::numeric_limits<int>::max();
-  expect_refused(huge, "data");
+  expect_rejected(huge, "data");
 }
 
-TEST(CheckGrid, RefusesResolutionsThatAreNotPositiveNumbers)
+TEST(CheckGrid, RejectsResolutionsThatAreNotPositiveNumbers)
 {
   for (double bad : {0.0, -0.05, std::nan(""), std::numeric_limits<double>::infinity()})
   {
     OccupancyGrid grid = free_grid(4, 3, 0.1);
     grid.resolution = bad;
-    expect_refused(grid, "resolution");
+    expect_rejected(grid, "resolution");
   }
 }
 
-TEST(CheckGrid, RefusesOriginsThatAreNotFinite)
+TEST(CheckGrid, RejectsOriginsThatAreNotFinite)
 {
   for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
     for (const Pose& origin : {Pose{bad, 0.0, 0.0}, Pose{0.0, bad, 0.0}, Pose{0.0, 0.0, bad}})
-      expect_refused(free_grid(4, 3, 0.1, origin), "origin");
+      expect_rejected(free_grid(4, 3, 0.1, origin), "origin");
 }
 
 }  // namespace

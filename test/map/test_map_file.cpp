@@ -78,7 +78,7 @@ TEST_F(MapFile, AcceptsEqualThresholdsInEveryMode)
   }
 }
 
-TEST_F(MapFile, RefusesADefectiveFieldByItsName)
+TEST_F(MapFile, RejectsADefectiveFieldByItsName)
 {
   write_bytes(folder_ / "map.pgm", small_pgm);
   const std::vector<std::pair<std::string, std::vector<std::string>>> defects{
@@ -101,7 +101,7 @@ TEST_F(MapFile, RefusesADefectiveFieldByItsName)
   }
 }
 
-TEST_F(MapFile, RefusesWhatIsNotAMapFile)
+TEST_F(MapFile, RejectsWhatIsNotAMapFile)
 {
   EXPECT_NE(message_of([&] { read_map_file(folder_ / "absent.yaml"); }), "");
   EXPECT_NE(message_of([&] { read_map_file(folder_ / "."); }), "");
@@ -144,7 +144,7 @@ TEST_F(MapFile, ReadsBackWhatItWrote)
   }
 }
 
-TEST_F(MapFile, RefusesToWriteAnUnusableGridOrToAnUnusablePlace)
+TEST_F(MapFile, RejectsToWriteAnUnusableGridOrToAnUnusablePlace)
 {
   const OccupancyGrid good = free_grid(1, 1, 0.1);
   OccupancyGrid bad = good;

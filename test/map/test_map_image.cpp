@@ -86,7 +86,7 @@ TEST_F(MapImage, AveragesTheColoursAndTakesTransparentPixelsForUnknown)
   EXPECT_EQ(read_image_bytes(palette).data, (std::vector<std::int8_t>{100, -1, 0}));
 }
 
-TEST_F(MapImage, RefusesADefectiveImage)
+TEST_F(MapImage, RejectsADefectiveImage)
 {
   for (const char* bytes :
        {"", "P", "P2", "P5", "P6 1 1 255\nabc", "GIF89a", "P5 0 1 255\n", "P5 -1 1 255\n1", "P5 1 1 0\n1",
@@ -95,7 +95,7 @@ TEST_F(MapImage, RefusesADefectiveImage)
     EXPECT_NE(refusal_of_image(bytes), "") << bytes;
 }
 
-TEST_F(MapImage, RefusesAHeaderThatPromisesMoreThanTheFileHolds)
+TEST_F(MapImage, RejectsAHeaderThatPromisesMoreThanTheFileHolds)
 {
   EXPECT_NE(refusal_of_image("P5 16384 16384 255\nabc").find("truncated"), std::string::npos);
   EXPECT_NE(refusal_of_image("P2 16384 16384 255\n1 2 3").find("truncated"), std::string::npos);
@@ -103,7 +103,7 @@ TEST_F(MapImage, RefusesAHeaderThatPromisesMoreThanTheFileHolds)
   EXPECT_NE(refusal_of_image("P5 1000000000 1000000000 255\nabc").find("size"), std::string::npos);
 }
 
-TEST_F(MapImage, RefusesAnImageCutShortAnywhereAndIgnoresWhatFollowsIt)
+TEST_F(MapImage, RejectsAnImageCutShortAnywhereAndIgnoresWhatFollowsIt)
 {
   const Rows rows{{0, 255, 205}, {255, 255, 0}};
   for (const std::string& bytes :

@@ -225,7 +225,7 @@ TEST(ObstacleRule, TakesCellsFromTheThresholdOnForObstacles)
   }
 }
 
-TEST(ObstacleRule, OutOfRangeIsRefused)
+TEST(ObstacleRule, OutOfRangeIsRejectd)
 {
   ObstacleRule rule;
   for (const int bad : {0, 101})

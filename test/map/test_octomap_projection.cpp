@@ -193,7 +193,7 @@ TEST_F(OctomapProjection, TakesAHugeBandForAllHeights)
   EXPECT_EQ(everything.data, project_octomap_file(folder_ / "map.ot", {-10.0, 10.0}).data);
 }
 
-TEST_F(OctomapProjection, RefusesAFileWithoutKnownVoxelsInTheBand)
+TEST_F(OctomapProjection, RejectsAFileWithoutKnownVoxelsInTheBand)
 {
   octomap::OcTree tree(0.1);
   EXPECT_NE(message_of([&] { project_octomap_file(write(tree), {0.0, 1.0}); }), "");
@@ -213,7 +213,7 @@ TEST_F(OctomapProjection, RejectsABandThatIsNone)
     EXPECT_THROW(project_octomap_file(path, band), std::invalid_argument);
 }
 
-TEST_F(OctomapProjection, RefusesWhatIsNotAnOctomapByField)
+TEST_F(OctomapProjection, RejectsWhatIsNotAnOctomapByField)
 {
   const std::string start = "# Octomap OcTree binary file\n";
   const std::vector<std::pair<std::string, std::string>> defects{
@@ -240,7 +240,7 @@ TEST_F(OctomapProjection, RefusesWhatIsNotAnOctomapByField)
   EXPECT_NE(message_of([&] { project_octomap_file(folder_ / ".", {}); }), "");
 }
 
-TEST_F(OctomapProjection, RefusesAFileCutShortAnywhereAndSurvivesRandomDamage)
+TEST_F(OctomapProjection, RejectsAFileCutShortAnywhereAndSurvivesRandomDamage)
 {
   Random random(6);
   octomap::OcTree tree(0.1);

@@ -121,9 +121,9 @@ TEST(SolverGarbage, ModelThatIsNotFiniteIsNotFinite)
     }
 }
 
-TEST(SolverGarbage, OptionsOutOfRangeAreRefusedByName)
+TEST(SolverGarbage, OptionsOutOfRangeAreRejectedByName)
 {
-  const auto refused = [](double Options::*member, double value, const std::string& name) {
+  const auto rejected = [](double Options::*member, double value, const std::string& name) {
     ShuttleScene scene;
     scene.options.*member = value;
     try
@@ -138,13 +138,13 @@ TEST(SolverGarbage, OptionsOutOfRangeAreRefusedByName)
   };
   for (const double value : {kNan, 0.0, -1.0, kInfinity})
   {
-    refused(&Options::tolerance, value, "tolerance");
-    refused(&Options::initial_barrier, value, "initial_barrier");
-    refused(&Options::barrier_factor, value, "barrier_factor");
-    refused(&Options::barrier_power, value, "barrier_power");
-    refused(&Options::terminal_regularization, value, "terminal_regularization");
+    rejected(&Options::tolerance, value, "tolerance");
+    rejected(&Options::initial_barrier, value, "initial_barrier");
+    rejected(&Options::barrier_factor, value, "barrier_factor");
+    rejected(&Options::barrier_power, value, "barrier_power");
+    rejected(&Options::terminal_regularization, value, "terminal_regularization");
   }
-  refused(&Options::barrier_factor, 1.0, "barrier_factor");
+  rejected(&Options::barrier_factor, 1.0, "barrier_factor");
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TYPED_TEST_P(ParameterLaws, EachKeySetsItsOwnMemberAndNoOther)
   }
 }
 
-TYPED_TEST_P(ParameterLaws, EachMissingKeyIsRefusedByName)
+TYPED_TEST_P(ParameterLaws, EachMissingKeyIsRejectedByName)
 {
   const auto subject = subject_of<TypeParam>();
   const ParameterMap shipped = read_parameter_file(subject.file);
@@ -125,7 +125,7 @@ TYPED_TEST_P(ParameterLaws, EachMissingKeyIsRefusedByName)
   }
 }
 
-TYPED_TEST_P(ParameterLaws, UnknownKeyIsRefusedByNameAndTheKnownOnesAreListed)
+TYPED_TEST_P(ParameterLaws, UnknownKeyIsRejectedByNameAndTheKnownOnesAreListed)
 {
   const auto subject = subject_of<TypeParam>();
   const ParameterMap shipped = read_parameter_file(subject.file);
@@ -155,7 +155,7 @@ TYPED_TEST_P(ParameterLaws, EveryNumberHasItsLimitsInTheTest)
     EXPECT_EQ(std::holds_alternative<double>(shipped.at(key)), limits.least < limits.greatest) << key;
 }
 
-TYPED_TEST_P(ParameterLaws, NumberOutsideTheRangeIsRefusedByNameValueAndRange)
+TYPED_TEST_P(ParameterLaws, NumberOutsideTheRangeIsRejectedByNameValueAndRange)
 {
   const auto subject = subject_of<TypeParam>();
   const double inf = std::numeric_limits<double>::infinity();
@@ -197,7 +197,7 @@ TYPED_TEST_P(ParameterLaws, LimitsAreAllowedAndTheNextNumbersBeyondAreNot)
   }
 }
 
-TYPED_TEST_P(ParameterLaws, WrongTypeIsRefusedByNameAndValue)
+TYPED_TEST_P(ParameterLaws, WrongTypeIsRejectedByNameAndValue)
 {
   const auto subject = subject_of<TypeParam>();
   const ParameterMap shipped = read_parameter_file(subject.file);
@@ -219,9 +219,9 @@ TYPED_TEST_P(ParameterLaws, WrongTypeIsRefusedByNameAndValue)
 }
 
 REGISTER_TYPED_TEST_SUITE_P(ParameterLaws, ShippedFileHoldsEveryKeyAndEqualsTheDefaults,
-                            EachKeySetsItsOwnMemberAndNoOther, EachMissingKeyIsRefusedByName,
-                            UnknownKeyIsRefusedByNameAndTheKnownOnesAreListed, EveryNumberHasItsLimitsInTheTest,
-                            NumberOutsideTheRangeIsRefusedByNameValueAndRange,
-                            LimitsAreAllowedAndTheNextNumbersBeyondAreNot, WrongTypeIsRefusedByNameAndValue);
+                            EachKeySetsItsOwnMemberAndNoOther, EachMissingKeyIsRejectedByName,
+                            UnknownKeyIsRejectedByNameAndTheKnownOnesAreListed, EveryNumberHasItsLimitsInTheTest,
+                            NumberOutsideTheRangeIsRejectedByNameValueAndRange,
+                            LimitsAreAllowedAndTheNextNumbersBeyondAreNot, WrongTypeIsRejectedByNameAndValue);
 
 }  // namespace fourwis

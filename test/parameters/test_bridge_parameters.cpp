@@ -92,14 +92,14 @@ TEST(BridgeParameters, MakeABridge)
   EXPECT_NO_THROW(can::Bridge(Robot(), read_bridge_file(kBridgeFile)));
 }
 
-TEST(BridgeParameters, AWordThatIsNoneOfTheFewIsRefusedAndTheFewAreNamed)
+TEST(BridgeParameters, AWordThatIsNoneOfTheFewIsRejectedAndTheFewAreNamed)
 {
   const ParameterMap shipped = read_parameter_file(kBridgeFile);
   EXPECT_EQ(complaint(bridge_options_from, with(shipped, "protocol", std::string("modbus"))),
             "parameter 'protocol' is 'modbus', expected one of cia402, ranger");
 }
 
-TEST(BridgeParameters, OptionsOutOfRangeAreRefusedByName)
+TEST(BridgeParameters, OptionsOutOfRangeAreRejectedByName)
 {
   const auto said = [](auto change) {
     BridgeOptions options;
@@ -122,7 +122,7 @@ TEST(BridgeParameters, OptionsOutOfRangeAreRefusedByName)
   EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { can::Bridge(robot, {}); }), "'wheel_max_rate' is 0"));
 }
 
-TEST(BridgeParameters, OptionsThatContradictEachOtherAreRefused)
+TEST(BridgeParameters, OptionsThatContradictEachOtherAreRejected)
 {
   const auto refused = [](auto change) {
     BridgeOptions options;

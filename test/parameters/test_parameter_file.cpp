@@ -57,7 +57,7 @@ TEST_F(ParameterFile, ValuesHaveTheTypeOfTheirYaml)
   EXPECT_EQ(parameters, expected);
 }
 
-TEST_F(ParameterFile, UnusableFilesAreRefusedByNameAndLine)
+TEST_F(ParameterFile, UnusableFilesAreRejectedByNameAndLine)
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "holds no parameters"},
@@ -80,7 +80,7 @@ TEST_F(ParameterFile, UnusableFilesAreRefusedByNameAndLine)
   }
 }
 
-TEST_F(ParameterFile, MissingFileAndDirectoryAreRefusedByName)
+TEST_F(ParameterFile, MissingFileAndDirectoryAreRejectedByName)
 {
   for (const std::string path : {"/nowhere/robot.yaml", FOURWIS_SOURCE_DIR})
   {
@@ -96,7 +96,7 @@ TEST_F(ParameterFile, MissingFileAndDirectoryAreRefusedByName)
   }
 }
 
-TEST_F(ParameterFile, RefusedContentsNameTheFile)
+TEST_F(ParameterFile, RejectedContentsNameTheFile)
 {
   const std::string path = write("length: 1.0\n");
   for (const auto& read :

@@ -93,7 +93,7 @@ Subject<PlannerOptions> subject_of()
 INSTANTIATE_TYPED_TEST_SUITE_P(RobotFile, ParameterLaws, Robot);
 INSTANTIATE_TYPED_TEST_SUITE_P(PlannerFile, ParameterLaws, PlannerOptions);
 
-TEST(Parameters, FractionIsRefusedWhereAWholeNumberIsExpected)
+TEST(Parameters, FractionIsRejectedWhereAWholeNumberIsExpected)
 {
   const ParameterMap shipped = read_parameter_file(kPlannerFile);
   for (const std::string key : {"occupied_threshold", "shortcut_passes", "max_expansions"})
@@ -112,7 +112,7 @@ TEST(Parameters, RangeEndsAreAllowed)
   EXPECT_EQ(planner_options_from(with(planner, "occupied_threshold", 100.0)).obstacles.occupied_threshold, 100);
 }
 
-TEST(Parameters, WheelsOutsideTheBodyAreRefused)
+TEST(Parameters, WheelsOutsideTheBodyAreRejected)
 {
   const ParameterMap shipped = read_parameter_file(kRobotFile);
   for (const auto& [axis, side] : {std::pair("wheelbase", "length"), std::pair("track_width", "width")})

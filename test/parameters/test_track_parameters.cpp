@@ -70,7 +70,7 @@ TEST(TrackParameters, TheControllerStopsBeforeTheBaseDoes)
   EXPECT_LT(noticed, read_bridge_file(FOURWIS_SOURCE_DIR "/config/can_bridge.yaml").command_timeout);
 }
 
-TEST(TrackParameters, WhatWouldNotBeRememberedIsRefused)
+TEST(TrackParameters, WhatWouldNotBeRememberedIsRejected)
 {
   TrackOptions options;
   options.controller_frequency = 500.0;

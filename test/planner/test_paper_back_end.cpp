@@ -189,7 +189,7 @@ TEST_F(PaperBackEndTest, StopsWhenInterrupted)
   EXPECT_EQ(refine(weaving(Mode::ackermann), late).status, PaperStatus::interrupted);
 }
 
-TEST_F(PaperBackEndTest, RefusesOptionsOutOfRange)
+TEST_F(PaperBackEndTest, RejectsOptionsOutOfRange)
 {
   const auto expect_refused = [&](const std::function<void(PaperBackEndOptions&)>& change) {
     PaperBackEndOptions changed;

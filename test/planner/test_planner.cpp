@@ -333,7 +333,7 @@ TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
   EXPECT_FALSE(bent.metrics.safe);
 }
 
-TEST_F(PlannerTest, RefusesThePapersFormulationOnTheStructuredSolver)
+TEST_F(PlannerTest, RejectsThePapersFormulationOnTheStructuredSolver)
 {
   if (!has_ipopt()) GTEST_SKIP();
   options.optimize.formulation = Formulation::paper;
@@ -418,7 +418,7 @@ TEST_F(PlannerTest, KnowsItsOptionsAndItsWorldTheRobot)
   EXPECT_TRUE(Referee(world.grid, options.obstacles, longer).judge(here, there, result.trajectory).accepted());
 }
 
-TEST_F(PlannerTest, RefusesToWorkInNoThread)
+TEST_F(PlannerTest, RejectsLessThanOneThread)
 {
   for (int none : {0, -1})
   {

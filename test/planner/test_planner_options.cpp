@@ -41,7 +41,7 @@ const std::vector<Case>& cases()
   return all;
 }
 
-TEST(PlannerOptions, OutOfRangeAreRefusedByNameByPlannerAndWorld)
+TEST(PlannerOptions, OutOfRangeAreRejectedByNameByPlannerAndWorld)
 {
   const OccupancyGrid grid = free_area(2.0, 2.0, 0.1);
   for (const Case& bad : cases())

@@ -183,7 +183,7 @@ TEST(ThreadBudgetTest, PassesExceptionsOnThroughNestedLoops)
   }
 }
 
-TEST(ThreadBudgetTest, RefusesToBeEmpty)
+TEST(ThreadBudgetTest, RejectsLessThanOneThread)
 {
   for (int none : {0, -1}) EXPECT_THROW(ThreadBudget{none}, std::invalid_argument);
   EXPECT_GE(hardware_threads(), 1);

@@ -203,7 +203,7 @@ TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
     }
 }
 
-/// A random drive in one or two modes with phi changing in motion; limits are not its concern.
+/// A random drive in one or two modes with phi changing in motion. It does not keep the limits.
 Script random_drive(Random& random, const Pose& start)
 {
   Script script(start, random.mode(), random.between(-0.5, 0.5));
@@ -307,7 +307,7 @@ TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
   EXPECT_GT(met, 50);
 }
 
-/// What a rolled-out motion may miss the next point by is a motion, too.
+/// A rolled-out motion may miss the next point a little. The way to that point is checked as well.
 TEST(VerifyCollision, SeesWhatIsMetWithinTheTolerancesOfTheRollOut)
 {
   OccupancyGrid grid = free_grid(80, 80, 0.05);

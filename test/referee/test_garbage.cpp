@@ -110,7 +110,7 @@ TEST(VerifyGarbage, AnEndlessCircleIsNotFollowedForEver)
   EXPECT_TRUE(complains_of(verdict, "too long")) << sentences(verdict);
 }
 
-TEST(VerifyGarbage, AnUnusableGridIsRefusedByName)
+TEST(VerifyGarbage, AnUnusableGridIsRejectedByName)
 {
   const auto message = [](const OccupancyGrid& grid) -> std::string {
     try
@@ -134,7 +134,7 @@ TEST(VerifyGarbage, AnUnusableGridIsRefusedByName)
   EXPECT_NE(message(free_grid(10, 10, 0.1, {0.0, 0.0, kNan})).find("origin"), std::string::npos);
 }
 
-TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRefusedByName)
+TEST(VerifyGarbage, AnUnusableRobotOrOptionIsRejectedByName)
 {
   const auto message = [](const Robot& robot, const RefereeOptions& options) -> std::string {
     try

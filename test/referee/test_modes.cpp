@@ -1,4 +1,4 @@
-// The referee has formulas of its own for every mode. Here they are held against those of the stage `vehicle`.
+// The referee has its own formulas for every mode. Here they are compared with those of the stage `vehicle`.
 
 #include <cmath>
 

@@ -23,7 +23,7 @@ TEST(VerifyWheels, WantsTimeForTheWheelsToTurnTheirShorterWay)
   };
   expect_accepted(take(Mode::lateral, 0.0, 0.5));
   expect_refused(take(Mode::lateral, 0.0, 0.4999), "time to turn at rest of the front left wheel");
-  // 100 degrees are 80 the other way round; with stops at 95 degrees there are only those 80.
+  // A turn by 100 degrees is one by 80 the other way. With a travel of 95 degrees only the one by 80 is possible.
   expect_accepted(take(Mode::parallel, 100.0 * kDegree, 80.1 / 180.0));
   expect_refused(take(Mode::parallel, 100.0 * kDegree, 79.9 / 180.0), "time to turn at rest");
   expect_accepted(take(Mode::parallel, 1.0 * kDegree, 0.4));
@@ -127,7 +127,7 @@ TEST(VerifyWheels, HoldsTheWheelsSpeedAgainstItsLimit)
 
 TEST(VerifyWheels, SeesAWheelThatIsTooFastOnlyBetweenTwoPoints)
 {
-  // Slowing down while the lock grows: fastest at neither end.
+  // The speed falls while the steering angle grows: the wheel is fastest at neither end.
   Robot robot;
   const auto drive = [&] {
     return judge(Script({}, Mode::lateral).go(0.2, 0.9, 0.0).go(1.0, 0.5, 0.52).go(0.2, 0.0, 0.52), robot);

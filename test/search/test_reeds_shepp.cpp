@@ -297,7 +297,7 @@ TEST(ReedsShepp, TinyOffsetsNeedShortWays)
       }
 }
 
-TEST(ReedsShepp, RefusesAGoalThatIsNotFinite)
+TEST(ReedsShepp, RejectsAGoalThatIsNotFinite)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const Pose& goal : {Pose{nan, 0, 0}, Pose{0, inf, 0}, Pose{0, 0, nan}})

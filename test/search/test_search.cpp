@@ -265,7 +265,7 @@ TEST_F(FrontEnd, FindsValidPathsInAllVariantsOfTheAblation)
     }
 }
 
-TEST_F(LongSearch, OptionsOutOfRangeAreRefusedByName)
+TEST_F(LongSearch, OptionsOutOfRangeAreRejectedByName)
 {
   const auto distance = [](const Pose&) { return 0.0; };
   for (double SearchOptions::*option : {&SearchOptions::reference_speed, &SearchOptions::step_time,

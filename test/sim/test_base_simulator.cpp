@@ -295,7 +295,7 @@ TEST(BaseSimulator, IsFollowedByTheOdometryOfItsWheels)
   EXPECT_NEAR(odometry.state().pose.theta, robot.base.pose().theta, 0.002 * length);
 }
 
-TEST(BaseSimulator, RefusesOptionsAndTimesThatMakeNoSense)
+TEST(BaseSimulator, RejectsInvalidOptionsAndTimes)
 {
   const Robot robot;
   EXPECT_THROW(BaseSimulator(robot, {}).step(-0.01), std::invalid_argument);

@@ -132,7 +132,7 @@ TEST_F(BodyOnWheels, DoesNotSlipSidewaysOnAStraightLine)
                body_twist(robot, Mode::parallel, 1.0, 0.4), 1e-12);
 }
 
-TEST_F(BodyOnWheels, RefusesOptionsThatMakeNoSense)
+TEST_F(BodyOnWheels, RejectsInvalidOptions)
 {
   EXPECT_THROW(Body(robot, {1.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(Body(robot, {NAN, 0.0}), std::invalid_argument);

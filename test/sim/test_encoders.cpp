@@ -103,7 +103,7 @@ TEST(Encoders, ThatFreezeKeepTheirReadingAndDoNotChangeTheOthers)
   EXPECT_EQ(frozen.measured().angle, free.measured().angle);
 }
 
-TEST(Encoders, RefuseOptionsThatMakeNoSense)
+TEST(Encoders, RejectInvalidOptions)
 {
   EXPECT_THROW(Encoders({-0.01, 0.0, 0.0, 0.0}, kSeed), std::invalid_argument);
   EXPECT_THROW(Encoders({0.0, 0.0, 0.0, NAN}, kSeed), std::invalid_argument);

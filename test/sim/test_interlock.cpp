@@ -177,7 +177,7 @@ TEST(InterlockOptions, AreThoseOfTheBridge)
   EXPECT_EQ(options.alignment_timeout, bridge.alignment_timeout);
 }
 
-TEST_F(InterlockOfWheels, RefusesOptionsThatMakeNoSense)
+TEST_F(InterlockOfWheels, RejectsInvalidOptions)
 {
   InterlockOptions options;
   options.aligned_angle = 0.0;

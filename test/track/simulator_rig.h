@@ -22,7 +22,7 @@ public:
     base.place(start);
   }
 
-  /// Until the tracker rests after having done something, or patience is over [s].
+  /// Steps until the tracker has driven and rests again, or for `patience` [s].
   void run(double patience, const std::function<void()>& each_step = {})
   {
     for (bool busy = false; base.time() < patience;)

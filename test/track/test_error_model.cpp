@@ -52,7 +52,7 @@ TEST(ErrorModel, PoseIsTheInverseOfError)
   }
 }
 
-/// Both robots, the real one and the one on the reference, rolled out a little: how their difference changes.
+/// Rolls out the robot and the reference a little, and returns how their difference changes.
 TEST(ErrorModel, RateIsThatOfTheKinematics)
 {
   const Robot robot;

@@ -44,7 +44,7 @@ struct Scene
   }
 };
 
-/// What the problem's cost is when these inputs are applied.
+/// Cost of the problem with these inputs.
 double cost(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
 {
   const HorizonModel& model = mpc.horizon();
@@ -60,7 +60,7 @@ double cost(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
   return sum + model.terminal_cost(x);
 }
 
-/// Whether they keep the bounds.
+/// Whether the inputs keep the bounds.
 bool is_feasible(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
 {
   ErrorState x = mpc.problem().initial_state;

@@ -21,7 +21,7 @@ TEST(Replay, ControlStepsAreNumberedByTheClockWithRoomForJitter)
   EXPECT_EQ(step_number(INFINITY, 50.0), 0u);
 }
 
-/// Everything that a tracker was given and answered in its life.
+/// All inputs and answers of a tracker.
 struct Life
 {
   std::vector<TrackInput> inputs;

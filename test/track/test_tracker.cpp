@@ -227,7 +227,7 @@ TEST(Tracker, TheSameCallsGiveTheSameAnswers)
   }
 }
 
-TEST(Tracker, RefusesOptionsAndRobotsOutOfRangeByName)
+TEST(Tracker, RejectsOptionsAndRobotsOutOfRangeByName)
 {
   TrackOptions options;
   options.lateral_scale = 0.0;

@@ -15,7 +15,7 @@ TEST(TrackerAllocations, AWholeDriveHasNone)
   const Robot robot;
   IdealBase base(robot, {});
   Tracker tracker(robot, ideal_options());
-  // A stop, a switch, a correction, a failure: everything a step may come to.
+  // A stop, a switch, a correction and a failure: all that may happen in a step.
   const Trajectory trajectory =
       trajectory_of(robot, {}, {{Mode::ackermann, 0.2, 1.5}, {Mode::lateral, 0.1, 1.0}, {Mode::parallel, 0.5, 1.0}});
   ASSERT_EQ(tracker.accept(trajectory), "");

@@ -41,7 +41,7 @@ TEST(TrackerSequence, TurnsWheelsAtRestAndDrivesOnceTheyAreAligned)
   EXPECT_TRUE(drove_lateral);
 }
 
-/// What the base says of commands before this alignment does not count.
+/// Reports of the base about commands before this alignment do not count.
 TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
 {
   const std::vector<std::function<void(TrackInput&)>> lies = {
@@ -71,7 +71,7 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
   }
 }
 
-/// The base may say so of any command from this alignment's first to the last one it was sent.
+/// A report about any command since the beginning of this alignment counts.
 TEST(TrackerSequence, AlignedCountsFromTheFirstCommandOfThisAlignmentOn)
 {
   constexpr int kSteps = 5;  // of the alignment, before the base says anything
@@ -150,7 +150,7 @@ TEST(TrackerSequence, ANewTrajectoryWhileDrivingStopsFirst)
   EXPECT_LT(distance(rig.base.pose(), next.back().pose()), 0.01);
 }
 
-/// What the planner has verified begins at the trajectory's first point, not beside it.
+/// The planner has verified the trajectory from its first point on, not from a place beside it.
 TEST(TrackerSequence, ATrajectoryThatBeginsElsewhereFails)
 {
   const TrackOptions limits;
@@ -189,7 +189,7 @@ TEST(TrackerSequence, WhereATrajectoryBeginsIsJudgedOnceTheRobotRests)
   EXPECT_NE(rig.message.find("the trajectory begins "), std::string::npos) << rig.message;
 }
 
-/// The planner holds new maps against what is left of the trajectory from there.
+/// The planner checks the rest of the trajectory from there on against new maps.
 TEST(TrackerSequence, WhereItIsOnTheTrajectoryNeverGoesBack)
 {
   Rig rig;

@@ -20,7 +20,7 @@ struct Failure
   std::function<void(TrackInput&)> tamper;
 };
 
-/// What is wrong with what is known of the robot.
+/// Faults of the input.
 std::vector<Failure> unusable_inputs()
 {
   return {
@@ -80,7 +80,7 @@ double told_speed(const Rig& rig)
   return rig.output.command.motion.speed[3];
 }
 
-/// Drives fast, lets it happen, and goes on until the tracker has noticed.
+/// Drives fast, causes the fault, and goes on until the tracker has noticed it.
 void drive_into(Rig& rig, const Failure& failure)
 {
   ASSERT_EQ(rig.tracker.accept(long_arc(rig.robot)), "");
@@ -130,7 +130,7 @@ TEST(TrackerStops, BrakesAtMaxAccelerationWithSteeringHeld)
   }
 }
 
-/// Who is held back must not push on harder.
+/// A robot that is held back must not be driven with more speed.
 TEST(TrackerStops, BrakesFromTheSpeedThatIsMeasured)
 {
   for (const double measured : {0.3, -0.2})

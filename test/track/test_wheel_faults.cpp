@@ -13,7 +13,7 @@ namespace
 const std::vector<Piece> kSlalom = {
     {Mode::ackermann, 0.4, 1.0}, {Mode::ackermann, -0.4, 1.0}, {Mode::ackermann, 0.0, 3.0}};
 
-/// Breaks a wheel at a moment of the drive; what came of it, and how far the robot got from its path.
+/// Breaks a wheel during the drive. Returns the result and how far the robot got from its path.
 struct Outcome
 {
   TrackState state;

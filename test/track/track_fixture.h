@@ -70,7 +70,7 @@ public:
     return output;
   }
 
-  /// Until that is true, or patience is over [s].
+  /// Steps until the condition is true, or for `patience` [s].
   bool step_until(const std::function<bool()>& reached, double patience = 120.0)
   {
     for (double time = 0.0; time < patience; time += period)
@@ -89,7 +89,7 @@ public:
     return step_until([&] { return is_resting(output.state); });
   }
 
-  /// Until it drives at more than that speed [m/s].
+  /// Steps until it drives faster than that speed [m/s].
   bool step_until_fast(double speed = 0.5)
   {
     return step_until([&] { return output.state == TrackState::driving && std::abs(output.speed) > speed; });
@@ -99,8 +99,8 @@ public:
   IdealBase base;
   Tracker tracker;
   const double period;
-  double clock = 0.0;                       ///< what the clock is wrong by [s]
-  std::function<void(TrackInput&)> tamper;  ///< changes what the tracker is told
+  double clock = 0.0;                       ///< error of the clock [s]
+  std::function<void(TrackInput&)> tamper;  ///< changes the input of the tracker
   TrackOutput output;
   std::string message;  ///< the last step's
 };

@@ -18,7 +18,7 @@ namespace
 constexpr double kAccuracy = 1e-9;
 constexpr unsigned kSeed = 41;
 
-/// Robots of all proportions, so that no formula is right only because two lengths are alike.
+/// Robots of all proportions, so that a formula cannot be right only because two lengths are equal.
 struct Traits : testing::Test
 {
   /// Visits each mode with many robots, speeds and steering angles that curve the way of no mode without end.

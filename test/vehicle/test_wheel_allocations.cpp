@@ -1,4 +1,4 @@
-// What is done to the wheels in every control step does without allocation.
+// The functions for the wheels that each control step calls do not allocate memory.
 
 #include <gtest/gtest.h>
 

@@ -110,7 +110,7 @@ TEST_F(OdometryOfWheels, KnowsThatWheelsBesideTheirAxesRollWhenSteeredAtRest)
   expect_pose({}, kOffset * kRate * kInterval);
 }
 
-/// Scatter of where the odometry of noisy wheels ends, and what it says of it.
+/// Scatter of the final pose of odometry with noisy wheels, and its own covariance.
 TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
 {
   constexpr int kRuns = 600, kSteps = 200;  // noise so small that its square does not shorten the way

@@ -130,7 +130,7 @@ TEST_F(TwistOfWheels, LeavesOutTheWheelWithoutWhichTheOthersAgreeBest)
     if (estimate.left_out < 0) continue;
     for (std::size_t other = 0; other < kWheels; ++other)
     {
-      // Three wheels that are asked with the fourth as they say it should be: its equations add nothing.
+      // The fourth wheel moves as the other three say it should, so its equations change nothing.
       WheelMotion consistent = wheels;
       double residual = std::numeric_limits<double>::infinity();
       for (int round = 0; round < 400; ++round)
@@ -210,7 +210,7 @@ TEST_F(TwistOfWheels, IsLessCertainTheMoreTheyDisagree)
   EXPECT_GT(solver.estimate(wheels).covariance(0, 0), 4.0 * agreed(0, 0));
 }
 
-TEST_F(TwistOfWheels, RefusesOptionsThatMakeNoSense)
+TEST_F(TwistOfWheels, RejectsInvalidOptions)
 {
   EXPECT_THROW(WheelTwist(robot, {-0.01, 0.1, 0.0}), std::invalid_argument);
   EXPECT_THROW(WheelTwist(robot, {0.01, NAN, 0.0}), std::invalid_argument);

@@ -187,7 +187,7 @@ TEST(MemoryBusFaults, InjectedFramesComeFromNobody)
   expect_silence(*drive);
 }
 
-TEST(MemoryBus, RefusesUnusableOptions)
+TEST(MemoryBus, RejectsUnusableOptions)
 {
   EXPECT_THROW(MemoryBus({-1.0, 12, 12}), std::invalid_argument);
   EXPECT_THROW(MemoryBus({NAN, 12, 12}), std::invalid_argument);

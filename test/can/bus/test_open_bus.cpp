@@ -9,7 +9,7 @@ namespace fourwis::can
 namespace
 {
 
-TEST(OpenBus, RefusesNamesThatCanBeNoneAndSaysWhatCan)
+TEST(OpenBus, RejectsInvalidNamesAndSaysWhichAreValid)
 {
   for (const std::string name : {"", "unix:", "unix:a/b", "unix:..", "unix:with space", "can 0", "../can0", "tcp:can0",
                                  "an_interface_of_17", "unix:123456789012345678901234567890123"})
