@@ -16,4 +16,4 @@ cd "$build"
 "$root/scripts/can_vm/run_in_can_vm.sh" --which || true  # the test socketcan fails then
 ctest --output-on-failure --no-tests=error --timeout 300 --parallel "$(nproc)"
 
-"$root/scripts/test_core.sh"
+"$root/scripts/test_core.sh" -DFOURWIS_WERROR=ON

@@ -35,7 +35,8 @@ ParameterValue value_of(const YAML::Node& scalar)
 
 void flatten(const std::string& path, const std::string& prefix, const YAML::Node& map, int depth, ParameterMap& out)
 {
-  if (depth > kMaxDepth) reject_at(path, map.Mark(), "maps nested deeper than " + std::to_string(kMaxDepth) + " levels");
+  if (depth > kMaxDepth)
+    reject_at(path, map.Mark(), "maps nested deeper than " + std::to_string(kMaxDepth) + " levels");
   for (const auto& entry : map)
   {
     if (!entry.first.IsScalar()) reject_at(path, entry.first.Mark(), "a key must be a plain word");

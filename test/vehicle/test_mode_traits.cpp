@@ -18,7 +18,7 @@ namespace
 constexpr double kAccuracy = 1e-9;
 constexpr unsigned kSeed = 41;
 
-/// Robots of all proportions, so that a formula cannot be right only because two lengths are equal.
+/// Robots of all proportions, so that no formula is right only because two lengths are alike.
 struct Traits : testing::Test
 {
   /// Visits each mode with many robots, speeds and steering angles that curve the way of no mode without end.
@@ -72,10 +72,8 @@ TEST_F(Traits, SayCurvatureItsSlopeAndTheTurningRadius)
     constexpr double h = 1e-6;
     const double kappa = curvature(robot, mode, phi);
     EXPECT_NEAR(body_twist(robot, mode, v, phi).omega, v * kappa, kAccuracy);
-    if (traits.turns_with_phi())
-    {
-      EXPECT_NEAR(kappa, curvature_gain(robot, mode) * std::tan(phi), kAccuracy * 10.0);
-    }
+    const double in_place = traits.turns_in_place ? 1.0 / spin_radius(robot) : 0.0;
+    EXPECT_NEAR(kappa, curvature_gain(robot, mode) * std::tan(phi) + in_place, kAccuracy);
     const double slope = (curvature(robot, mode, phi + h) - curvature(robot, mode, phi - h)) / (2.0 * h);
     EXPECT_NEAR(curvature_slope(robot, mode, phi), slope, 1e-5 * (1.0 + std::abs(slope)));
     // The point at that distance to the left of the course, or to its right, stands still.
@@ -144,18 +142,12 @@ TEST_F(Traits, AreWhatTheWheelsShow)
   });
 }
 
-TEST_F(Traits, LimitPhiWhereTheCurvatureGrowsWithoutBound)
+TEST_F(Traits, LimitPhiByTheTravelOfTheWheelsOnlyWhereItTurnsThemAlike)
 {
   for (const ModeTraits& traits : kModeTraits)
   {
-    if (traits.turns_with_phi())
-    {
-      EXPECT_EQ(max_phi(robot, traits.mode), robot.max_steering_angle);
-    }
-    if (traits.follows_phi)
-    {
-      EXPECT_EQ(max_phi(robot, traits.mode), robot.wheel_max_angle);
-    }
+    const double limit = traits.follows_phi ? robot.wheel_max_angle : robot.max_steering_angle;
+    EXPECT_EQ(max_phi(robot, traits.mode), limit) << to_string(traits.mode);
   }
 }
 
