@@ -18,7 +18,7 @@
 namespace fourwis
 {
 
-/// The bridge's end of the bus; remembers what the bridge sends.
+/// The bridge's end of the bus. It records what the bridge sends.
 class SpiedBus final : public can::Bus
 {
 public:
@@ -56,7 +56,8 @@ inline bool tells_to_move(const can::Frame& frame)
 class BridgeBench
 {
 public:
-  /// `pass_on` tells the bus the time [s]. The bridge may expect something else than what the drives are.
+  /// `pass_on` gives the bus the time [s]. The bridge is constructed with the options `expected`, the drives with
+  /// `real`.
   BridgeBench(can::Bus& bridge_end, can::Bus& drives_end, std::function<void(double)> pass_on,
               const can::BridgeOptions& expected = {}, const can::BridgeOptions& real = {})
     : options(expected),
@@ -72,7 +73,8 @@ public:
     for (auto left = std::lround(seconds * 1e3); left > 0; --left) tick();
   }
 
-  /// Lets time pass until the condition holds; how long it took, infinite after a minute.
+  /// Advances the time until the condition holds. Returns the time that took, or infinity if it was longer than `most`
+  /// [s].
   double wait_for(const std::function<bool()>& condition, double most = 60.0)
   {
     const double begin = now();
@@ -96,7 +98,7 @@ public:
     ASSERT_LT(wait_for(can::BridgeStage::enabled), 5.0) << cause();
   }
 
-  /// What is commanded from now on.
+  /// Sets the motion that is commanded from now on.
   void command(Mode mode, double angle, double speed)
   {
     commands = true;
@@ -128,7 +130,7 @@ public:
     return fastest;
   }
 
-  /// When the bridge last told a driving drive to move [s]; minus infinity if never.
+  /// When the bridge commanded a driving drive to move for the last time [s]; minus infinity if never.
   double last_motion() const
   {
     const auto last = std::find_if(spy.sent.rbegin(), spy.sent.rend(),
@@ -168,7 +170,7 @@ public:
   drives::FakeDrives drives;
   can::Bridge bridge{robot, options};
   can::BridgeConnection connection{bridge, spy};
-  bool bridge_alive = true;  ///< or else killed: it neither receives nor sends
+  bool bridge_alive = true;  ///< otherwise it neither receives nor sends, like a killed process
   bool commands = false;
   WheelCommand wanted;
 

@@ -11,8 +11,8 @@
 namespace fourwis
 {
 
-/// What goes wrong with a base that drives straight ahead at 0.5 m/s, the name that it must get, and the time after
-/// which the bridge must not tell any wheel to move any more.
+/// A fault of a base that drives straight ahead at 0.5 m/s, the name that the bridge must give it, and the time after
+/// which the bridge must not command any wheel to move.
 struct FaultCase
 {
   drives::DriveFaultKind kind;
@@ -27,8 +27,8 @@ inline std::ostream& operator<<(std::ostream& out, const FaultCase& c)
   return out << to_string(c.kind) << " at node " << c.node;
 }
 
-/// A message counts as received within a step of the simulation; what is looked for once a cycle, a cycle later. Stop
-/// frames follow within 10 ms of detection.
+/// A message is received within a step of the simulation. What is checked once a cycle is detected a cycle later. Stop
+/// frames follow within 10 ms of the detection.
 constexpr double kAtOnce = 0.002, kCycle = 0.01;
 
 inline const std::vector<FaultCase> kFaultCases = {
@@ -46,7 +46,7 @@ inline const std::vector<FaultCase> kFaultCases = {
     {drives::DriveFaultKind::drive_fault, 4, 0x2310, can::Fault::emergency_message, kAtOnce},
     {drives::DriveFaultKind::wrong_size, 3, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
     {drives::DriveFaultKind::wrong_size, 5, 0, can::Fault::malformed_frame, kCycle + kAtOnce},
-    // It boots, and the drive it pretends to be answers all the same.
+    // The second node boots, and the drive with the same id still answers.
     {drives::DriveFaultKind::duplicate_id, 4, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
     {drives::DriveFaultKind::duplicate_id, 7, 0, can::Fault::duplicate_node, kCycle + kAtOnce},
     {drives::DriveFaultKind::status_missing, 5, 0, can::Fault::feedback_lost, 0.06 + kCycle},

@@ -26,7 +26,7 @@ protected:
   explicit BridgeFixture(const can::BridgeOptions& of_both = {}, const can::MemoryBusOptions& memory = {})
     : BridgeFixture(of_both, of_both, memory)
   {}
-  /// The bridge expects something else than what the drives are.
+  /// The bridge has the options `expected`, the drives have `real`.
   BridgeFixture(const can::BridgeOptions& expected, const can::BridgeOptions& real, const can::MemoryBusOptions& memory)
     : MemoryEnds(memory),
       BridgeBench(

@@ -14,7 +14,7 @@
 namespace fourwis::can
 {
 
-/// As candump writes it: "185 [3] 37 02 08".
+/// The frame as candump writes it: "185 [3] 37 02 08".
 inline std::string text(const Frame& frame)
 {
   char buffer[64];
@@ -48,7 +48,7 @@ inline can::Frame raw(std::uint32_t id, std::initializer_list<int> bytes)
 
 using Frames = std::vector<can::Frame>;
 
-/// One drive of node 5 on a bench, with a motor that does at once what it is asked for, up to a speed. Off, it stays.
+/// One drive with node id 5, and a motor that follows its demands at once, up to a speed. Without power it stands.
 class DriveBench
 {
 public:
@@ -77,7 +77,7 @@ public:
     move();
   }
 
-  /// What the drive answers at once.
+  /// Sends a frame to the drive and returns its immediate answers.
   Frames send(const can::Frame& frame)
   {
     drive.receive(time(), frame);
@@ -86,7 +86,7 @@ public:
     return answers;
   }
 
-  /// SDO download of `size` bytes; the abort code, 0 where it is accepted.
+  /// SDO download of `size` bytes. Returns the abort code, 0 if it is accepted.
   std::uint32_t write(std::uint16_t index, int sub, int size, std::int64_t value)
   {
     const int command = 0x23 | (4 - size) << 2;
@@ -117,7 +117,7 @@ public:
     ASSERT_EQ(drive.power_state(), PowerState::operation_enabled);
   }
 
-  /// As far as the drive allows it.
+  /// Enables the drive as far as it allows it.
   void enable_if_possible()
   {
     for (int word : {0x80, 0x06, 0x07, 0x0F}) control(word);
@@ -127,7 +127,7 @@ public:
 
   FakeDrive drive;
   AxisMotion motor;
-  double motor_speed = 2e6;  ///< that it is able to do [count/s]
+  double motor_speed = 2e6;  ///< greatest velocity [count/s]
   bool stuck = false;
   Frames sent;
 

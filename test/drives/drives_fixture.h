@@ -24,7 +24,7 @@ protected:
       drives(*drives_end_, Robot(), base, SimulatorOptions())
   {}
 
-  /// Lets time pass in steps of 1 ms; every tenth the master speaks, unless it is silent.
+  /// Advances the time in steps of 1 ms. In every tenth step the master sends its cycle, unless it is silent.
   void pass(double seconds)
   {
     const auto steps = static_cast<long>(seconds * 1e3 + 0.5);

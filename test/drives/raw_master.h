@@ -10,7 +10,7 @@
 namespace fourwis::drives
 {
 
-/// A master of eight drives in a few lines of raw bytes: sets them up, then speaks every 10 ms. Steering drives 1 to 4
+/// A master of eight drives in raw bytes: it sets them up and then sends a cycle every 10 ms. Steering drives 1 to 4
 /// (cyclic positions), driving drives 5 to 8 (cyclic velocities).
 class RawMaster
 {

@@ -13,11 +13,11 @@
 namespace fourwis
 {
 
-/// Eight fake drives at one end of a bus that lives in real time, in a thread of their own.
+/// Eight fake drives at one end of a bus, which run in real time in a thread of their own.
 class RealTimeDrives
 {
 public:
-  /// `priority`: as of a can::BridgeThread.
+  /// `priority`: see can::BridgeThread.
   explicit RealTimeDrives(const std::string& bus, int priority = 0)
     : bus_(can::open_bus(bus)),
       drives_(*bus_, Robot(), can::BridgeOptions(), SimulatorOptions()),

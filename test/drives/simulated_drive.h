@@ -10,7 +10,7 @@
 namespace fourwis
 {
 
-/// Commands a base each 20 ms to drive in a mode with v and phi, and lets time pass.
+/// Gives a base commands every 20 ms to drive in a mode with v and phi, and advances its time.
 class SimulatedDrive
 {
 public:
@@ -37,7 +37,7 @@ public:
   }
   void drive(Mode mode, double v, double phi, double duration) { command(mode, wheels_for(mode, v, phi), duration); }
 
-  /// Turns the wheels for a mode; true when the base says that they are aligned for what it was told.
+  /// Turns the wheels for a mode. True if the base reports that they are aligned for this command.
   bool align(Mode mode, double phi)
   {
     const WheelMotion motion = wheels_for(mode, 0.0, phi);

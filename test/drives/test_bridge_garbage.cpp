@@ -14,7 +14,7 @@ using can::BridgeStage;
 class BridgeAmongGarbage : public BridgeFixture
 {
 protected:
-  /// Mostly with identifiers that mean something to us.
+  /// Mostly with identifiers that the bridge uses.
   can::Frame garbage()
   {
     if (random_.chance(0.3)) return can::random_frame(random_);

@@ -8,12 +8,12 @@ namespace
 using can::BridgeStage;
 using can::Fault;
 
-/// What becomes of the bus itself.
+/// Faults of the bus itself.
 class BridgeLink : public BridgeFixture
 {
 protected:
-  /// To be called when the bus is back: nothing has been told to move since `begin`, the base is ready again within a
-  /// second by itself, and moves only after it has been enabled.
+  /// To be called when the bus is back. No wheel has been commanded to move since `begin`, the base becomes ready by
+  /// itself within a second, and it moves only after it has been enabled.
   void expect_recovery(Fault name, double begin)
   {
     EXPECT_LE(wait_for(BridgeStage::ready), 1.0) << cause();

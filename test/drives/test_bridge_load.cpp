@@ -27,7 +27,7 @@ protected:
     last_sync = now();
   }
 
-  /// What was sent in the cycle before must have gone by now: then no frame waits for longer than a cycle.
+  /// The frames of the last cycle must have left by now, so that no frame waits for longer than a cycle.
   void begin_cycle()
   {
     ++cycles;

@@ -24,7 +24,7 @@ protected:
     drives.inject({kind, node, now() + 0.001, std::numeric_limits<double>::infinity(), value});
   }
 
-  /// The start ends in this fault; without its cause the next one succeeds.
+  /// Checks that the start ends in this fault, and that the next one succeeds without its cause.
   void expect_refusal(Fault name)
   {
     EXPECT_LT(wait_for(BridgeStage::fault), options.boot_timeout + 1.0);
@@ -69,7 +69,7 @@ TEST_F(BridgeStart, SwitchesTheDrivesOwnWatchdogsOn)
   }
 }
 
-TEST_F(BridgeStart, SaysNothingBeforeItHasListened)
+TEST_F(BridgeStart, SendsNothingBeforeItHasListened)
 {
   wait_for(BridgeStage::boot);
   EXPECT_GE(spy.sent.front().time, 0.1);
@@ -106,13 +106,13 @@ TEST_F(BridgeStart, ADriveThatIsNeverReady)
   EXPECT_EQ(bridge.report().cause.axis, 1);
 }
 
-TEST_F(BridgeStart, SomebodyElseCommandsTheDrives)
+TEST_F(BridgeStart, AnotherMasterCommandsTheDrives)
 {
   inject(DriveFaultKind::foreign_master, 2);
   expect_refusal(Fault::foreign_master);
 }
 
-TEST_F(BridgeStart, SaysNothingAsLongAsSomebodyElseCommandsTheDrives)
+TEST_F(BridgeStart, SendsNothingAsLongAsAnotherMasterCommandsTheDrives)
 {
   inject(DriveFaultKind::foreign_master, 2);
   EXPECT_LT(wait_for(BridgeStage::fault), 1.0);

@@ -17,10 +17,10 @@ namespace
 using can::BridgeStage;
 using can::BridgeUpdate;
 
-/// Longer than anything here takes on the slowest machine [s].
+/// Longer than any step of these tests takes on the slowest machine [s].
 constexpr double kPatience = 30.0;
 
-/// Nothing here is about time: a busy machine may be slow.
+/// These tests do not measure time, because a busy machine may be slow.
 can::BridgeOptions patient()
 {
   can::BridgeOptions options;
@@ -33,7 +33,7 @@ can::BridgeOptions patient()
 class BridgeInItsThread : public testing::Test
 {
 protected:
-  /// Follows the bridge, commanding each cycle, until the condition holds.
+  /// Waits for the updates of the bridge and gives a command in each cycle, until the condition holds.
   bool follow_until(const std::function<bool()>& condition)
   {
     const double end = can::monotonic_now() + kPatience;

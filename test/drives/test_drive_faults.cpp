@@ -7,7 +7,7 @@ namespace fourwis::drives
 namespace
 {
 
-/// Each fault begins at a node of a base that drives straight ahead at 0.5 m/s; what the bus shows of it.
+/// Each fault begins at a node of a base that drives straight ahead at 0.5 m/s. The frames on the bus are checked.
 class DriveFaults : public DrivesFixture
 {
 protected:

@@ -25,7 +25,7 @@ can::Frame random_frame(Random& random)
   return frame;
 }
 
-/// Whether it holds, somewhere, the word that enables.
+/// Whether the controlword that enables is anywhere in the frame.
 bool could_enable(const can::Frame& frame)
 {
   for (std::size_t k = 0; k < frame.size; ++k)
@@ -50,7 +50,7 @@ TEST(DriveFuzz, RandomFramesNeverEnableADriveNobodyEnabled)
   }
 }
 
-/// Any frames at all, with faults in between: what it sends stays a frame, what it asks of the motor a number.
+/// Any frames, with faults in between: the drive sends valid frames, and its demands are finite numbers.
 TEST(DriveFuzz, NothingBreaksIt)
 {
   SCOPED_TRACE("seed " + std::to_string(kSeed));

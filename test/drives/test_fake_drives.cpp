@@ -62,7 +62,7 @@ protected:
   OddDrives() : DrivesFixture({}, odd_base()) {}
 };
 
-/// Node by node: a turn is counts_per_turn * gear_ratio counts.
+/// A turn of an axis is counts_per_turn * gear_ratio counts.
 TEST_F(OddDrives, CountWhatTheirMotorsAndGearsMake)
 {
   configure();
@@ -105,7 +105,7 @@ TEST_F(FakeDrivesTest, AnswerEverySyncWithTwoFramesEach)
   }
 }
 
-/// The same steady command over frames and straight into the simulated base moves both bodies alike.
+/// The same constant command, sent in frames and given to the simulated base, moves both bodies alike.
 TEST_F(FakeDrivesTest, AreTheSamePhysicsAsTheSimulatedBase)
 {
   const Robot robot;
@@ -199,7 +199,7 @@ TEST_F(FakeDrivesTest, CanBePlacedAnywhere)
   EXPECT_EQ(fastest_wheel(), 0.0);
 }
 
-/// The frames of a drive with faults in it, whole seconds of it.
+/// The frames of some seconds of driving with faults.
 std::vector<RecordedFrame> frames_of_a_run()
 {
   class Run : public DrivesFixture

@@ -72,7 +72,7 @@ TEST(Network, ProducesItsHeartbeat)
   EXPECT_TRUE(contains(bench.sent, raw(0x705, {0x05})));
 }
 
-/// A drive turning at 10000 counts/s whose watchdog is set up as the bridge should.
+/// A drive that turns at 10000 counts/s, with its watchdog set up as by the bridge.
 class Watchdog : public ::testing::Test
 {
 protected:

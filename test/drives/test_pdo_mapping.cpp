@@ -16,7 +16,7 @@ protected:
   {
     ASSERT_EQ(bench.write(static_cast<std::uint16_t>(parameters), 1, 4, cob | 0x80000000), 0u);
   }
-  /// Takes the PDO away, maps anew, sets the transmission type, and brings it back.
+  /// Disables the PDO, changes its mapping and its transmission type, and enables it again.
   void map(int parameters, int mapping, std::uint32_t cob, int type, std::initializer_list<std::uint32_t> entries)
   {
     take_away(parameters, cob);

@@ -20,7 +20,8 @@ constexpr std::array<PowerState, 8> kStates = {
 /// fault reaction (A), Fault.
 constexpr char kLetters[] = "NDRSEQAF";
 
-/// Where the words of bits 3 to 0 lead, bit 7 clear: from the drawing of CiA 402-2, a column for each word.
+/// The next state for each value of bits 3 to 0 with bit 7 clear, from the drawing of CiA 402-2; a column for each
+/// value.
 ///                            0   1   2   3   4   5   6   7   8   9   A   B   C   D   E   F
 constexpr char kTable[8][17] = {"NNNNNNNNNNNNNNNN",   // not ready
                                 "DDDDDDRDDDDDDDRD",   // switch on disabled: only shutdown

@@ -10,15 +10,15 @@
 namespace fourwis::can
 {
 
-/// A base that speaks the Ranger protocol, from raw bytes: takes half a second to change its mode, has its wheels
-/// where they should be at once, stops 500 ms after the last command. Its own sense of the modes' geometry, L 0.68 m,
-/// W 0.52 m.
+/// A simulated base with the Ranger protocol, in raw bytes. It takes half a second to change its mode, its wheels reach
+/// their targets at once, and it stops 500 ms after the last command. It has its own geometry of the modes, with
+/// L = 0.68 m and W = 0.52 m.
 class FakeRanger
 {
 public:
   explicit FakeRanger(Bus& end) : end_(end) {}
 
-  /// A millisecond.
+  /// Advances the time by a millisecond.
   void step()
   {
     ++ms_;

@@ -9,13 +9,13 @@ namespace fourwis::can
 namespace
 {
 
-/// The drives' side of the bridge, nodes 1 to 8, between its construction and its first answer.
+/// The master of nodes 1 to 8, which has been started and has received nothing.
 class Base : public testing::Test
 {
 protected:
   Base() { base_.restart(false, 0.0, outbox_); }
 
-  /// Listens for a second, to this frame alone.
+  /// Receives this frame, and nothing else for a second.
   void listen_to(const Frame& frame)
   {
     base_.receive(frame, 0.01, outbox_);
@@ -27,7 +27,7 @@ protected:
   Cia402Base base_{Robot(), BridgeOptions(), log_};
 };
 
-/// What only the master of nodes 1 to 8 says, of node 127 as we are.
+/// Messages that only the master of nodes 1 to 8 sends; its own node id is 127.
 const std::vector<Frame> kMasters = {
     frame_of(0x000, {1, 0}),
     frame_of(0x000, {1, 99}),
@@ -41,7 +41,7 @@ const std::vector<Frame> kMasters = {
     frame_of(0x608, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}),
 };
 
-/// What others say, and what is said to others.
+/// Messages of other nodes, and messages to nodes that are not ours.
 const std::vector<Frame> kOthers = {
     frame_of(0x701, {5}),
     frame_of(0x77E, {5}),
@@ -68,7 +68,7 @@ TEST_F(Base, StaysSilentWhereAnotherMasterSpeaks)
   }
 }
 
-TEST_F(Base, StartsWhereNobodyButOthersSpeak)
+TEST_F(Base, StartsWhenOnlyOtherMessagesCome)
 {
   for (const Frame& frame : kOthers) listen_to(frame);
   EXPECT_FALSE(log_.cause().exists()) << text_of(log_.cause());

@@ -24,7 +24,7 @@ WheelCommand command(Mode mode, double angle, double speed)
   return command;
 }
 
-/// Wheels that do at once what they are told, some cycles later.
+/// Wheels that follow their set-point at once.
 class InterlockedWheels : public testing::Test
 {
 protected:
@@ -42,7 +42,7 @@ protected:
     wheels_.speed[2] += creep_;
   }
 
-  /// Cycles until the condition holds; their time, or a minute.
+  /// The time until the condition holds, at most a minute [s].
   double time_until(const WheelCommand& command, const std::function<bool()>& condition)
   {
     const double begin = now_;
@@ -153,13 +153,13 @@ TEST_F(InterlockedWheels, ThatDoNotComeToRestAreOverdueAndNeverTurned)
   const double late = time_until(command(Mode::lateral, 1.5, 0.5), [&] { return interlock_.overdue(); });
   EXPECT_NEAR(late, kOptions.stop_timeout, 5 * kCycle);
   EXPECT_EQ(setpoint_.value().angle[0], 0.0);
-  // A stop is over whenever the wheels stand.
+  // A stop may take any time.
   time_until(command(Mode::none, 0.0, 0.0), [&] { return !interlock_.overdue(); });
   for (int i = 0; i < 1000; ++i) cycle(command(Mode::none, 0.0, 0.0));
   EXPECT_FALSE(interlock_.overdue());
 }
 
-/// Wheels that are held fast stand, but will roll as soon as they are free.
+/// Wheels that are blocked stand, but would roll as soon as they are free.
 TEST_F(InterlockedWheels, AreNotTurnedAsLongAsTheyAreToldToRoll)
 {
   const WheelCommand go = command(Mode::ackermann, 0.0, 0.5);

@@ -19,7 +19,7 @@ class Link : public testing::Test
 protected:
   Link() { watch_.set_up(true, 0.0); }
 
-  /// A second in which the queue does not move.
+  /// A second in which no frame leaves the queue.
   void block()
   {
     outbox_.put(frame_of(0x080, {}));

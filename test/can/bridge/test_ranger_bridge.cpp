@@ -152,7 +152,7 @@ TEST_F(RangerBridge, CommandsThatDoNotComeStopIt)
   EXPECT_EQ(fault(), Fault::command_timeout);
 }
 
-TEST_F(RangerBridge, NobodySteersItBeforeItHasACommand)
+TEST_F(RangerBridge, IsNotSteeredBeforeItHasACommand)
 {
   ranger_.mode = 1;
   ranger_.steering = 700;
@@ -187,7 +187,7 @@ TEST_F(RangerBridge, StopsHoldTheAngles)
   }
 }
 
-TEST_F(RangerBridge, OutOfOperationNothingIsSaid)
+TEST_F(RangerBridge, OutOfOperationNothingIsSent)
 {
   enable();
   command(Mode::parallel, 0.5, 0.7);
@@ -251,7 +251,7 @@ TEST_F(RangerBridge, SteeringThatIsStuckWhileItRollsIsAFault)
   EXPECT_FALSE(is_moving());
 }
 
-/// Commands are no closer together than 15 ms; a stop does not wait for that.
+/// Between two commands there are at least 15 ms. A stop is sent at once.
 TEST_F(RangerBridge, AStopIsSentAtOnceAfterACommand)
 {
   enable();
@@ -265,7 +265,7 @@ TEST_F(RangerBridge, AStopIsSentAtOnceAfterACommand)
   EXPECT_FALSE(is_moving());
 }
 
-TEST_F(RangerBridge, HoweverOftenItIsCommandedItsOwnFramesKeepTheirPace)
+TEST_F(RangerBridge, FrequentCommandsAreSentAtALimitedRate)
 {
   enable();
   for (const double v : {0.4, 0.0})
@@ -309,7 +309,7 @@ TEST_F(RangerBridge, IsNotStartedBeforeItHasToldItsMode)
   EXPECT_EQ(fault(), Fault::boot_timeout) << cause();
 }
 
-TEST_F(RangerBridge, NothingIsSaidBeforeItHasListened)
+TEST_F(RangerBridge, NothingIsSentBeforeItHasListened)
 {
   ticks_ = 5000;
   pass(0.1);
@@ -318,7 +318,7 @@ TEST_F(RangerBridge, NothingIsSaidBeforeItHasListened)
   EXPECT_GT(bridge_.outbox().sent(), 0u);
 }
 
-TEST_F(RangerBridge, WhereSomebodyElseCommandsItNothingIsSaid)
+TEST_F(RangerBridge, NothingIsSentWhereAnotherMasterCommandsIt)
 {
   for (int i = 0; i < 100; ++i)
   {

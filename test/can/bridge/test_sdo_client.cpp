@@ -36,7 +36,7 @@ class Client : public testing::Test
 protected:
   Client() { client_.start(script_, now_, outbox_); }
 
-  /// What it has said since the last time; an empty frame if nothing.
+  /// The frame that was sent since the last call; an empty one if there is none.
   Frame said()
   {
     EXPECT_LE(outbox_.size(), 1u);
@@ -44,7 +44,7 @@ protected:
     outbox_.clear();
     return frame;
   }
-  /// What it says when the time for an answer is over, and nothing before.
+  /// The frame that is sent after the timeout; before it none is sent.
   Frame said_after_timeout()
   {
     client_.supervise(now_ + 0.99 * kTimeout, outbox_);
@@ -101,7 +101,7 @@ TEST_F(Client, WritesAndReadsBack)
   EXPECT_EQ(client_.state(), State::done);
 }
 
-/// They may come late, after the request was repeated and answered.
+/// They may come late, when their request has already been answered.
 TEST_F(Client, AnswersToOtherRequestsDoNotCount)
 {
   said();
@@ -152,7 +152,7 @@ TEST_F(Client, AnObjectThatIsMissingIsGoodEnoughWhereItIsOptional)
   client_.start(script_, now_, outbox_);
   answer(kIs1000);
   answer(frame_of(0x585, {0x80, 0x83, 0x60, 0, 0x30, 0x00, 0x09, 0x06}));
-  EXPECT_EQ(client_.fault(), Fault::sdo_abort) << "it is there and refuses the value";
+  EXPECT_EQ(client_.fault(), Fault::sdo_abort) << "the object exists and refuses the value";
 }
 
 }  // namespace

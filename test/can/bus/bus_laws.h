@@ -13,10 +13,10 @@
 namespace fourwis::can
 {
 
-/// What every bus promises. A Rig is one bus of a kind, with
-///   std::unique_ptr<Bus> open();   another end of it
-///   void take_down();              all its ends find it down
-///   void bring_up();               and up again
+/// The rules that every kind of bus keeps. A Rig is one bus of a kind, with
+///   std::unique_ptr<Bus> open();   opens another end of it
+///   void take_down();              takes the bus down for all ends
+///   void bring_up();               brings it up again
 template <typename Rig>
 class BusLaws : public testing::Test
 {
@@ -25,7 +25,7 @@ protected:
 };
 TYPED_TEST_SUITE_P(BusLaws);
 
-/// The frame that has or will have arrived; a failure after 10 s without one.
+/// The next frame that arrives; the test fails after 10 s without one.
 inline Frame next_frame(Bus& bus)
 {
   Frame frame;
@@ -47,7 +47,7 @@ inline void expect_silence(Bus& bus)
   EXPECT_EQ(bus.receive(frame), BusStatus::would_block) << "id " << frame.id;
 }
 
-/// Both directions work between these two.
+/// Checks that frames pass between these two ends in both directions.
 inline void expect_connected(Bus& a, Bus& b)
 {
   const Frame hello{0x123, false, false, false, 1, {1}}, answer{0x124, false, false, false, 1, {2}};
@@ -57,7 +57,7 @@ inline void expect_connected(Bus& a, Bus& b)
   EXPECT_EQ(next_frame(a), answer);
 }
 
-/// Frame number n of a sender, one of every kind.
+/// Frame number n of a sender; successive ones are of different kinds.
 inline Frame numbered(int sender, int n)
 {
   Frame frame;

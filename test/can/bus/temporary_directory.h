@@ -9,7 +9,7 @@
 namespace fourwis::can
 {
 
-/// A directory of its own, private, removed at the end.
+/// A private directory that is removed at the end.
 class TemporaryDirectory
 {
 public:

@@ -90,7 +90,8 @@ TEST(DisciplinedMemoryBus, AFullTransmitQueueRefuses)
   EXPECT_EQ(sender->send(plain(0x10, 0)), BusStatus::ok);
 }
 
-/// However sends and steps of time fall, one frame at a time is on the bus, and each end's go in the order sent.
+/// For any order of sends and steps of time, one frame at a time is on the bus, and the frames of each end arrive in
+/// order.
 TEST(DisciplinedMemoryBus, CarriesNoMoreThanItsBitRate)
 {
   Random random(5);

@@ -22,7 +22,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// `unix:test` in a directory of its own, which goes down when a file takes its place.
+/// The bus `unix:test` in a directory of its own. It goes down when a file replaces the directory.
 class UnixRig
 {
 public:
@@ -131,7 +131,8 @@ TEST_F(UnixBusTest, HoldsSomeCyclesForAnEndThatIsBusy)
   EXPECT_EQ(busy->counters().dropped, 0u);
 }
 
-/// One of several ends that all send `frames` frames at once, and never more than a window ahead of what they have read.
+/// One of several ends that all send `frames` frames at once, and never more than a window ahead of what they have
+/// read.
 void take_part(Bus& bus, std::size_t self, std::size_t ends, int frames)
 {
   constexpr int kWindow = 50;

@@ -10,7 +10,7 @@
 namespace fourwis::can
 {
 
-/// A frame as tables print it: identifier and bytes.
+/// A frame from its identifier and its bytes.
 inline Frame frame_of(std::uint32_t id, std::initializer_list<int> bytes)
 {
   Frame frame;
@@ -19,7 +19,7 @@ inline Frame frame_of(std::uint32_t id, std::initializer_list<int> bytes)
   return frame;
 }
 
-/// What a controller says of itself, by the classes of its identifier.
+/// An error frame of a controller, by the classes in its identifier.
 inline Frame error_frame(std::uint32_t classes, std::initializer_list<int> bytes)
 {
   Frame frame = frame_of(classes, bytes);
@@ -27,7 +27,7 @@ inline Frame error_frame(std::uint32_t classes, std::initializer_list<int> bytes
   return frame;
 }
 
-/// Anything a bus could deliver, mostly standard data frames.
+/// Any frame that a bus could deliver, mostly standard data frames.
 inline Frame random_frame(Random& random)
 {
   Frame frame;
@@ -40,7 +40,7 @@ inline Frame random_frame(Random& random)
   return frame;
 }
 
-/// A frame of a decoder's own identifier with anything in it, of any length.
+/// A frame with this identifier, of any length and content.
 inline Frame random_frame(Random& random, std::uint32_t id)
 {
   Frame frame = random_frame(random);

@@ -35,7 +35,7 @@ TEST(Cia402, TheStatuswordTellsTheState)
   }
 }
 
-/// The state diagram of CiA 402 as far as controlwords move a drive, written down anew.
+/// The part of CiA 402's state diagram in which controlwords change the state, written independently.
 DriveState next(DriveState state, std::uint16_t word)
 {
   using S = DriveState;

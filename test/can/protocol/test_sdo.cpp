@@ -24,7 +24,7 @@ TEST(Sdo, RequestsAreTheBytesOfTheStandard)
   EXPECT_EQ(encode_sdo_read(127, {0x1018, 2}), frame_of(0x67F, {0x40, 0x18, 0x10, 2, 0, 0, 0, 0}));
 }
 
-/// A golden answer and what it means.
+/// A known answer and its meaning.
 struct Answer
 {
   Frame frame;
@@ -63,7 +63,7 @@ TEST(Sdo, SegmentedBlockAndShortAnswersAreRefused)
   EXPECT_FALSE(decode_sdo_reply(frame_of(0x601, {0x60, 0x40, 0x60, 0, 0, 0, 0, 0})));  // a request
 }
 
-/// What a node would answer to a read of an object of that size; an encoder of its own.
+/// The answer of a node to a read of an object of that size, with an encoder of its own.
 Frame answer_to_read(int node, ObjectId object, std::uint32_t value, int size)
 {
   static const int commands[] = {0x4F, 0x4B, 0x47, 0x43};
