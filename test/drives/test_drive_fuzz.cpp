@@ -34,7 +34,7 @@ bool could_enable(const can::Frame& frame)
 }
 
 /// Two hundred thousand frames, none of which says `enable operation`.
-TEST(DriveFuzz, RandomFramesNeverEnableADriveNobodyEnabled)
+TEST(DriveFuzz, RandomFramesDoNotEnableADrive)
 {
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   Random random(kSeed);

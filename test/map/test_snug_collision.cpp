@@ -64,7 +64,7 @@ TEST_P(SnugCollision, LetsNoBodyTouchAnObstacle)
   EXPECT_GT(gained, 20) << "poses where two discs do not fit";
 }
 
-TEST_P(SnugCollision, LetsThroughWhateverTheTwoDiscsDoAndWhateverFitsWithItsOverhang)
+TEST_P(SnugCollision, LetsThroughAllThatTheTwoDiscsDoAndAllThatFitsWithItsOverhang)
 {
   for_poses(GetParam(), [&](const Site& site, const CollisionChecker& snug, const Pose& pose) {
     const bool fits = !ExactRectangle(site.grid, larger(site.robot, GetParam() + overhang(site.robot))).collides(pose);

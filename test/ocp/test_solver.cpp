@@ -66,7 +66,7 @@ TEST(Solver, LinearQuadraticProblemTakesOneStep)
   }
 }
 
-TEST(Solver, TerminalStateIsReachedWhateverTheRegularisation)
+TEST(Solver, TerminalStateIsReachedWithAnyRegularisation)
 {
   for (const double regularization : {1e-5, 1e-7, 1e-9})
     for (unsigned seed = 0; seed < 20; ++seed)

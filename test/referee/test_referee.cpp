@@ -17,7 +17,7 @@ TEST(Verify, AcceptsATourThroughAllModes)
   EXPECT_GT(verdict.min_clearance, 5.0);
 }
 
-TEST(Verify, AcceptsTheTourWhateverTheFrameOfTheGrid)
+TEST(Verify, AcceptsTheTourInAnyFrameOfTheGrid)
 {
   const Script tour = grand_tour();
   const OccupancyGrid turned = free_grid(800, 800, 0.05, {5.0, -25.0, 0.8});

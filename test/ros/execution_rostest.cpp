@@ -279,7 +279,7 @@ TEST_F(Execution, a_base_that_was_disabled_while_the_robot_stopped_drives_to_a_n
   EXPECT_EQ(std::count(kinds.begin(), kinds.end(), 'T'), 1) << kinds;
 }
 
-TEST_F(Execution, a_trajectory_of_somebody_else_that_is_refused_does_not_disturb_the_drive)
+TEST_F(Execution, a_refused_trajectory_of_another_node_does_not_disturb_the_drive)
 {
   drive_towards(kEast);
   controller->refuse(ros::Time(1.0));

@@ -134,7 +134,7 @@ TEST(GlobalPlannerNode, leaves_its_status_to_the_action_of_the_same_name)
   }
 }
 
-TEST(BaseSimulatorNode, a_clock_that_nobody_follows_stops_it)
+TEST(BaseSimulatorNode, a_clock_without_use_sim_time_stops_it)
 {
   set_shipped_parameters("/timeless", "base_simulator", "simulator");
   expect_ends_with("base_simulator_node", {"__name:=timeless"}, "'publish_clock' is true, expected false where");

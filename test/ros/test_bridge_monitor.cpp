@@ -43,7 +43,7 @@ bool always(const can::BridgeUpdate&)
   return true;
 }
 
-TEST(BridgeMonitor, WhatWasSaidBeforeSomebodyBeganToWaitIsNoAnswer)
+TEST(BridgeMonitor, AnUpdateFromBeforeTheWaitIsNoAnswer)
 {
   BridgeMonitor monitor;
   const TalkingBridge bridge(monitor, can::monotonic_now());

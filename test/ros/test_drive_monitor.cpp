@@ -44,7 +44,7 @@ protected:
   ros::Time now_{99.0};
 };
 
-TEST_F(DriveMonitorTest, nobody_knows_before_the_controller_has_said_so_that_the_robot_rests)
+TEST_F(DriveMonitorTest, the_robot_is_not_known_to_rest_before_the_controller_says_so)
 {
   EXPECT_FALSE(rests());
   hear(99.5, Tracking::DRIVING, ros::Time(80.0));  // what another planner sent
@@ -85,7 +85,7 @@ TEST_F(DriveMonitorTest, a_failure_has_the_controllers_reason_and_stays_when_the
   EXPECT_EQ(monitor_.report(now_).message, "off the path by 0.3 m");
 }
 
-TEST_F(DriveMonitorTest, that_the_base_was_disabled_counts_for_what_was_asked_before_whatever_is_sent_meanwhile)
+TEST_F(DriveMonitorTest, a_disabled_base_counts_for_earlier_goals_also_after_new_trajectories)
 {
   begin_to_drive();
   EXPECT_FALSE(monitor_.disabled_since(ros::Time(0.1))) << "has always been enabled";
@@ -116,7 +116,7 @@ TEST_F(DriveMonitorTest, when_the_clock_goes_back_so_does_when_the_base_was_disa
   EXPECT_FALSE(monitor_.disabled_since(ros::Time(80.0)));
 }
 
-TEST_F(DriveMonitorTest, what_is_refused_to_somebody_else_changes_nothing)
+TEST_F(DriveMonitorTest, a_refusal_to_another_node_changes_nothing)
 {
   begin_to_drive();
   hear(101.0, Tracking::REFUSED, ros::Time(50.0), "header.frame_id is 'odom'");

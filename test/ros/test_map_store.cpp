@@ -87,7 +87,7 @@ TEST_F(MapStoreTest, has_nothing_and_waits_for_nothing_before_the_first_map)
   EXPECT_FALSE(newest());
 }
 
-TEST_F(MapStoreTest, whoever_waits_gets_what_was_added_before)
+TEST_F(MapStoreTest, a_wait_returns_what_was_added_before)
 {
   for (unsigned size = 10; size < 40; ++size)
   {

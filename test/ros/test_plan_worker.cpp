@@ -18,7 +18,7 @@ void run_until(const std::atomic<bool>& cancelled)
   while (!cancelled) std::this_thread::yield();
 }
 
-TEST(PlanWorker, runs_a_task_beside_whoever_submits_it)
+TEST(PlanWorker, runs_a_task_in_a_thread_of_its_own)
 {
   PlanWorker worker;
   std::promise<std::thread::id> done;

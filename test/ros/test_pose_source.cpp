@@ -75,7 +75,7 @@ TEST_F(PoseSourceTest, a_pose_in_the_global_frame_needs_no_transform)
   expect_pose(poses.to_global(stamped("/map", {1, 2, 3}), "goal"), {1, 2, 3});
 }
 
-TEST_F(PoseSourceTest, a_pose_in_another_frame_goes_through_the_newest_transform_whatever_its_stamp)
+TEST_F(PoseSourceTest, a_pose_in_another_frame_with_any_stamp_goes_through_the_newest_transform)
 {
   const Pose odom{5, -1, M_PI_2};
   tf_.setTransform(transform("map", "odom", {9, 9, 1}, ros::Time(10.0)), "test");
@@ -141,7 +141,7 @@ TEST_F(PoseSourceTest, a_static_transform_does_not_age)
   expect_pose(source(StartFrom::tf).robot(ros::Time(1000.0)), {1, 2, 0});
 }
 
-TEST_F(PoseSourceTest, where_the_robot_was_lies_between_two_transforms_whatever_came_later)
+TEST_F(PoseSourceTest, where_the_robot_was_lies_between_two_transforms_even_if_later_ones_came)
 {
   const std::atomic<bool> cancelled{false};
   tf_.setTransform(transform("map", "base_link", {1, 0, 0.2}, ros::Time(10.0)), "test");

@@ -41,7 +41,7 @@ TEST_F(Link, WhatTheControllerIsSaidToBeOutlivesErrorsOfSingleFrames)
   EXPECT_FALSE(watch_.notice().passive);
 }
 
-TEST_F(Link, IsNotOffTheBusAnyMoreWhenItHearsSomebodyOrIsUpAgain)
+TEST_F(Link, IsOnTheBusAgainWithAFrameOrWhenItIsUpAgain)
 {
   watch_.receive(kBusOff, 1.0);
   EXPECT_FALSE(watch_.usable());
@@ -55,7 +55,7 @@ TEST_F(Link, IsNotOffTheBusAnyMoreWhenItHearsSomebodyOrIsUpAgain)
   EXPECT_FALSE(watch_.notice().bus_off);
 }
 
-TEST_F(Link, IsNotBlamedForAQueueThatNobodyIsThereToAcknowledge)
+TEST_F(Link, IsNotAtFaultForAQueueBeforeAnyNodeAcknowledges)
 {
   block();
   EXPECT_FALSE(log_.cause().fault == Fault::transmit_timeout);

@@ -23,7 +23,7 @@ PerWheel random_wheels(Random& random, double size)
   return wheels;
 }
 
-TEST(Setpoint, KeepsAllLimitsWhateverItIsTold)
+TEST(Setpoint, KeepsAllLimitsForAnyTarget)
 {
   Random random(11);
   Setpoint setpoint(kRobot, kOptions);

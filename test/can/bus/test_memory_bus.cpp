@@ -179,7 +179,7 @@ TEST(MemoryBusFaults, BusOffSwallowsFramesUntilTheControllerRestarts)
   expect_connected(*robot, *drive);
 }
 
-TEST(MemoryBusFaults, InjectedFramesComeFromNobody)
+TEST(MemoryBusFaults, InjectedFramesHaveNoSender)
 {
   MemoryBus bus;
   const auto robot = bus.open(), drive = bus.open();

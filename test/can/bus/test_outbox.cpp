@@ -60,7 +60,7 @@ TEST_F(OutboxOnABus, HoldsBackWhatIsMoreThanItsCapacity)
   EXPECT_EQ(outbox_.lost(), 100u - Outbox::kCapacity);
 }
 
-TEST_F(OutboxOnABus, NothingOlderThanTheNewestOfItsIdentifierIsEverSentWhateverTheBusTakes)
+TEST_F(OutboxOnABus, OnlyTheNewestFrameOfAnIdentifierIsSent)
 {
   Random random(10);
   std::map<std::uint32_t, int> newest;
