@@ -40,7 +40,7 @@ inline Quad square_of(const OccupancyGrid& grid, int column, int row)
   return rectangle(grid.origin, column * r, (column + 1) * r, row * r, (row + 1) * r);
 }
 
-/// Greatest gap of the projections on any edge normal: negative is the depth of the overlap.
+/// The greatest gap of the projections on the edge normals. A negative one is the depth of the overlap.
 inline double separation(const Quad& a, const Quad& b)
 {
   double greatest = -INFINITY;
@@ -68,7 +68,7 @@ inline double distance_to_edge(const Point& c, const Point& p, const Point& q)
   return std::hypot(c.x - p.x - share * dx, c.y - p.y - share * dy);
 }
 
-/// Distance of two quads; negative, the depth, when they overlap.
+/// The distance of two quads. If they overlap, minus the depth.
 inline double signed_distance(const Quad& a, const Quad& b)
 {
   const double gap = separation(a, b);
@@ -106,7 +106,7 @@ inline double brute_clearance(const OccupancyGrid& grid, const std::vector<Quad>
   }
   const double radius = std::hypot(robot.length, robot.width) / 2 + grid.resolution;
   for (const Quad& other : cells)
-    // Others are further away than the nearest so far.
+    // All other cells are further away than the nearest so far.
     if (distance({other[0].x, other[0].y, 0.0}, pose) - radius - grid.resolution < least)
       least = std::min(least, signed_distance(quad, other));
   return least;

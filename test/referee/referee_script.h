@@ -8,7 +8,7 @@
 namespace fourwis
 {
 
-/// Writes trajectories for the referee's tests, one interval after the other, by an integration of its own: the
+/// Makes trajectories for the tests of the referee, one interval after the other, with an integration of its own: the
 /// midpoint rule in very short steps.
 class Script
 {
@@ -41,7 +41,7 @@ public:
     return *this;
   }
 
-  /// Away from rest to speed v, on for `duration`, back to rest, with phi held.
+  /// Accelerates from rest to speed v, keeps it for `duration`, and brakes to rest, with constant phi.
   Script& drive(double v, double duration, double acceleration = 4.0)
   {
     const double phi = points_.back().phi, ramp = std::abs(v) / acceleration;
@@ -79,7 +79,7 @@ private:
   Trajectory points_;
 };
 
-/// All sentences of a verdict, for messages.
+/// All sentences of a verdict, for failure messages.
 inline std::string sentences(const Verdict& verdict)
 {
   std::string all;

@@ -52,7 +52,7 @@ inline void expect_refused(const Verdict& verdict, const std::string& what)
   EXPECT_TRUE(complains_of(verdict, what)) << "expected: " << what << "\nfound:\n" << sentences(verdict);
 }
 
-/// The tour with something done to its points, start and goal where they were.
+/// The tour with changed points, but the same start and goal.
 inline Verdict judge_changed(const std::function<void(Trajectory&)>& change)
 {
   const Script tour = grand_tour();

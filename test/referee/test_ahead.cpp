@@ -9,7 +9,7 @@ namespace fourwis
 namespace
 {
 
-/// Straight on for 3.25 m, sideways to the left for 2.25 m; 0.25 s of acceleration at both ends of each.
+/// 3.25 m straight ahead, then 2.25 m sideways to the left, each with 0.25 s of acceleration and of braking.
 Script corner()
 {
   return Script({1.0, 1.0, 0.0}, Mode::ackermann).drive(1.0, 3.0).switch_to(Mode::lateral, 0.0, 1.0).drive(1.0, 2.0);
@@ -34,7 +34,7 @@ TEST(VerifyAhead, SeesNothingOnTheGridThatTheTrajectoryWasAcceptedOn)
 
 TEST(VerifyAhead, SeesWhatTheWholeJudgementSeesUntilTheBodyHasPassedIt)
 {
-  // In the way of the first stretch: the body is over it from 1.125 s, for 1.05 s.
+  // In the way of the first stretch: the body is above it from 1.125 s on, for 1.05 s.
   const Referee referee = with_post(2.525, 1.0);
   const Script script = corner();
   const Verdict whole = referee.judge(script.start(), script.end(), script.points());

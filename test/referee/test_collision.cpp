@@ -1,5 +1,5 @@
-// The referee's collision check and clearance beside brute force: separating axes and distances of all edges, for every
-// cell of the grid.
+// The collision check and the clearance of the referee against brute force: separating axes and distances of all edges,
+// for every cell of the grid.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ OccupancyGrid random_grid(Random& random, double resolution, double probability,
   return grid;
 }
 
-/// A pose in the map frame somewhere on the grid, a little beyond it now and then.
+/// A pose in the map frame on the grid, sometimes a little beyond it.
 Pose random_pose(Random& random, const OccupancyGrid& grid)
 {
   const double w = grid.width * grid.resolution, h = grid.height * grid.resolution;
@@ -217,7 +217,7 @@ Script random_drive(Random& random, const Pose& start)
   return script;
 }
 
-/// Poses along a script, no body point moving more than two millimetres between two of them.
+/// Poses along a script. No point of the body moves more than two millimetres from one to the next.
 std::vector<Pose> dense_poses(const Script& script)
 {
   std::vector<Pose> poses{script.start()};

@@ -63,7 +63,7 @@ TEST(BaseSimulator, DrivesEveryModeAsItsKinematicsSay)
     }
 }
 
-/// Drives at random, with faults; what the base says and does each period.
+/// Drives at random, with faults. Returns the motion and the state of the base in each period.
 std::vector<double> random_drive(unsigned commands, int seed, int parts)
 {
   SimulatorOptions options = realistic();
@@ -90,7 +90,7 @@ TEST(BaseSimulator, RepeatsItselfBitForBit)
 {
   const std::vector<double> record = random_drive(kSeed, 5, 1);
   EXPECT_EQ(record, random_drive(kSeed, 5, 1));
-  EXPECT_EQ(record, random_drive(kSeed, 5, 4)) << "however time is cut into pieces";
+  EXPECT_EQ(record, random_drive(kSeed, 5, 4)) << "time in other steps";
   EXPECT_NE(record, random_drive(kSeed, 6, 1)) << "another seed";
 }
 
@@ -129,7 +129,7 @@ TEST(BaseSimulator, ComesToRestBeforeItTurnsItsWheelsForAnotherMode)
   EXPECT_TRUE(has_driven);
 }
 
-/// Standstill is what is measured, not what the drives are told.
+/// Standstill is measured; the targets of the drives do not count.
 TEST(BaseSimulator, DoesNotTurnWheelsThatRollOnAfterTheyAreToldToStand)
 {
   SimulatorOptions options = ideal();
@@ -178,7 +178,7 @@ TEST(BaseSimulator, StopsWhenNobodyCommandsAndWaitsForANewCommandAtRest)
   robot.base.step(0.05);
   EXPECT_EQ(robot.base.wheels().state, BaseState::stopping);
   robot.command(Mode::parallel, wanted, 0.2);
-  EXPECT_LT(fastest(robot.base.truth()), 0.5) << "while it stops it is not to be talked out of it";
+  EXPECT_LT(fastest(robot.base.truth()), 0.5) << "a stop cannot be interrupted";
   robot.base.step(1.0);
   EXPECT_EQ(robot.base.wheels().state, BaseState::enabled);
   EXPECT_EQ(fastest(robot.base.truth()), 0.0);

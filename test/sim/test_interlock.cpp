@@ -23,7 +23,7 @@ PerWheel all(double value)
 
 struct InterlockOfWheels : testing::Test
 {
-  /// Passes `duration` with these wheels.
+  /// Advances the time by `duration` with these wheels.
   void pass(double duration, double angle, double speed)
   {
     const auto steps = std::lround(duration / kStep);

@@ -19,11 +19,11 @@
 namespace fourwis::can
 {
 
-/// candump of can-utils, which watches an interface, error frames included.
+/// candump of can-utils on an interface, with error frames.
 class Candump
 {
 public:
-  /// Returns when it listens.
+  /// Returns when candump listens.
   explicit Candump(const std::string& interface = "vcan0") : interface_(interface)
   {
     const std::ptrdiff_t before = listeners();
@@ -35,7 +35,7 @@ public:
   Candump(const Candump&) = delete;
   Candump& operator=(const Candump&) = delete;
 
-  /// All it has seen, without times and interface: ID#DATA. It ends with this.
+  /// All frames that candump has seen, as ID#DATA. Ends candump.
   std::vector<std::string> frames()
   {
     const std::string last = "1FFFFFFE#";

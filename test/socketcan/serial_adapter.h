@@ -16,8 +16,8 @@
 namespace fourwis::can
 {
 
-/// Plays a serial CAN adapter (slcan) to the kernel, which makes the interface scan0 of it: a controller with states,
-/// as vcan has none. Pulled out at the end.
+/// Simulates a serial CAN adapter (slcan), of which the kernel makes the interface scan0. Its controller has states,
+/// which vcan does not have. It is removed at the end.
 class SerialAdapter
 {
 public:

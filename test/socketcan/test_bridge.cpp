@@ -10,12 +10,12 @@ namespace fourwis::can
 namespace
 {
 
-/// Ends of vcan0 for the bridge, the drives, and one who waits.
+/// Ends of vcan0 for the bridge, for the drives, and for the test.
 class VcanEnds
 {
 protected:
-  /// The kernel may deliver frames a little later, which must not look like simulated time: waits until all that was
-  /// sent has come, unless it was lost with the link.
+  /// Waits until all frames that were sent have come, unless they were lost with the link: a delay of the kernel must
+  /// not count as simulated time.
   void settle()
   {
     const auto sent = [this] { return bridge_end->counters().sent + drives_end->counters().sent; };
@@ -60,7 +60,7 @@ protected:
   }
   double distance() const { return drives.pose().x; }
 
-  /// After a break that is over: usable within a second; commands or not, no motion until it is enabled.
+  /// Checks that after an interruption the bridge is ready within a second, and does not move before it is enabled.
   void expect_recovery(Fault name)
   {
     Candump candump;

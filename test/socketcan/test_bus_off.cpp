@@ -11,7 +11,7 @@ namespace
 constexpr Frame kCommand{0x201, false, false, false, 2, {1, 2}};
 constexpr char kCommandText[] = "t20120102";
 
-/// The kernel takes up to a second to let its queue follow the controller.
+/// The queue of the kernel follows the state of the controller after up to a second.
 void wait_for_state(const std::string& state)
 {
   run("timeout 10 sh -c 'until ip link show scan0 | grep -q state.'" + state + "'; do :; done'");

@@ -6,7 +6,7 @@ namespace fourwis::can
 namespace
 {
 
-/// vcan0 with a slow bus behind it, slower than any machine that fills it. Its queue holds `bytes`, at 16 a frame.
+/// vcan0 with a bus that is slower than any machine. Its queue holds `bytes`, 16 per frame.
 class DisciplinedVcan : public VcanRig
 {
 public:
@@ -17,7 +17,7 @@ public:
   ~DisciplinedVcan() { run("tc qdisc delete dev vcan0 root"); }
 };
 
-/// Sends until there is no room. How many went.
+/// Sends until there is no room. Returns the number of frames.
 int fill(Bus& bus)
 {
   int sent = 0;

@@ -8,7 +8,7 @@
 namespace fourwis::can
 {
 
-/// The interface vcan0, which it leaves as it was.
+/// The interface vcan0. Its state is restored at the end.
 class VcanRig
 {
 public:

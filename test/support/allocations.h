@@ -7,7 +7,7 @@
 namespace fourwis
 {
 
-/// How often memory was asked for since the program began, by any thread. To be included by one file of a program.
+/// The number of allocations of all threads since the start of the program. To be included by one file of a program.
 inline std::atomic<long> allocations{0};
 
 }  // namespace fourwis
@@ -23,7 +23,7 @@ void* counted(void* memory)
 
 }  // namespace
 
-// Not inlined, or else the compiler sees that memory of `new` goes to `free` and warns.
+// Not inlined: otherwise the compiler sees that memory of `new` goes to `free`, and warns.
 [[gnu::noinline]] void* operator new(std::size_t size)
 {
   return counted(std::malloc(size));

@@ -13,13 +13,13 @@ struct RecordedFrame
   can::Frame frame;
 };
 
-/// Listens at an end of its own to all that is said on a bus.
+/// Records all frames on a bus, at an end of its own.
 class BusRecorder
 {
 public:
   explicit BusRecorder(can::Bus& end) : end_(end) {}
 
-  /// Reads what has come by now.
+  /// Reads the frames that have come.
   void poll(double now)
   {
     for (can::Frame frame; end_.receive(frame) == can::BusStatus::ok;) frames_.push_back({now, frame});
@@ -28,7 +28,7 @@ public:
   const std::vector<RecordedFrame>& frames() const { return frames_; }
   void clear() { frames_.clear(); }
 
-  /// Those of this id, from a time on.
+  /// The frames with this id, from a time on.
   std::vector<can::Frame> of(std::uint32_t id, double from = 0.0) const
   {
     std::vector<can::Frame> found;

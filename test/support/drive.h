@@ -9,7 +9,7 @@
 namespace fourwis
 {
 
-/// Where a robot ends that is driven the signed length with phi held: Runge and Kutta's integration of body_twist().
+/// The pose after driving the signed length with constant phi, by Runge-Kutta integration of body_twist().
 inline Pose drive_numerically(const Robot& robot, Pose pose, Mode mode, double phi, double length, int steps = 400)
 {
   const Twist twist = body_twist(robot, mode, 1.0, phi);

@@ -48,7 +48,7 @@ inline void occupy_block(OccupancyGrid& grid, int column, int row, int columns, 
     for (int i = std::max(0, column); i < std::min(grid.width, column + columns); ++i) occupy(grid, i, j);
 }
 
-/// Occupies the cells of a ring of walls around the block from (column, row) on; the block itself stays as it is.
+/// Occupies the cells of a ring around the block from (column, row) on. The block itself does not change.
 inline void wall_in(OccupancyGrid& grid, int column, int row, int columns, int rows, int thickness = 1)
 {
   const int t = thickness;
@@ -78,7 +78,7 @@ inline OccupancyGrid clutter(Random& random, double side, double resolution, int
   return grid;
 }
 
-/// A free pose somewhere on the map. The map must have many.
+/// A random free pose on the map, which must have many.
 inline Pose free_pose(Random& random, const CollisionChecker& checker)
 {
   const ObstacleMap& map = checker.map();

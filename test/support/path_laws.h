@@ -76,14 +76,14 @@ inline std::string broken_law(const Path& path, const CollisionChecker& checker,
     if (!checker.is_free(piece)) return where + "is in collision";
     const Pose end = drive_numerically(robot, piece.start, piece.mode, piece.phi, piece.length);
     const Pose& next = i + 1 < path.pieces.size() ? path.pieces[i + 1].start : path.goal;
-    // Headings do not jump either, not even by a full turn.
+    // Headings must not jump, not even by a full turn.
     if (distance(end, next) > 1e-9 || std::abs(end.theta - next.theta) > 1e-9)
       return where + "ends at " + text(end) + " and the next one starts at " + text(next);
   }
   return {};
 }
 
-/// The same, and start and goal are met.
+/// Checks that, and start and goal.
 inline std::string broken_law(const Path& path, const CollisionChecker& checker, const Robot& robot,
                               const ModeSet& modes, const Pose& start, const Pose& goal)
 {

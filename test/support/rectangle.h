@@ -11,7 +11,7 @@
 namespace fourwis
 {
 
-/// The exact rectangle of the body against the squares of the occupied cells, one by one, by the theorem of separating
+/// Checks the exact rectangle of the body against the square of each occupied cell, with the theorem of separating
 /// axes.
 class ExactRectangle
 {

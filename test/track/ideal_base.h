@@ -10,8 +10,7 @@
 namespace fourwis
 {
 
-/// A base whose wheels have the commanded speeds at once and turn as fast as they can, and a body that moves as they
-/// roll.
+/// A base whose wheels reach the commanded speeds at once and turn at their greatest rate. Its body moves as they roll.
 class IdealBase
 {
 public:

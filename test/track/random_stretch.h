@@ -9,8 +9,8 @@
 namespace fourwis
 {
 
-/// A stretch of one mode from rest to rest within the limits: v and phi linear between points that are so far apart in
-/// time.
+/// A random stretch of one mode from rest to rest within the limits. v and phi are linear between points with this
+/// spacing in time.
 inline Trajectory random_stretch(Random& random, const Robot& robot, Mode mode, double spacing = 0.2,
                                  int intervals = 12)
 {

@@ -43,7 +43,7 @@ public:
   BaseSimulator base;
   Tracker tracker;
   TrackOutput output;
-  std::string message;  ///< the last step's
+  std::string message;  ///< of the last step
 };
 
 }  // namespace fourwis

@@ -95,7 +95,7 @@ TEST(CheckTrajectory, ASwitchKeepsThePose)
   EXPECT_NE(check_trajectory(robot, trajectory).find("does not keep its pose at a switch"), std::string::npos);
 }
 
-/// Turning from full lock to full lock takes its time.
+/// To turn the wheels from full lock to full lock takes time.
 TEST(CheckTrajectory, SteeringRateIsALimit)
 {
   const Robot robot;

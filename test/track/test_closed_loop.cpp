@@ -1,4 +1,4 @@
-// The planner's trajectories for the project's environments, driven on the simulated base.
+// Trajectories of the planner for the environments of the project, driven on the simulated base.
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr unsigned kSeed = 47;
 
-/// From rest to rest, rolled out from point to point, within the speed; returns where it ends.
+/// Checks that the motion starts and ends at rest, agrees with the roll-out, and keeps the speed. Returns its end.
 Pose follow(const Robot& robot, const Creep& creep, double speed)
 {
   EXPECT_EQ(creep.front().v, 0.0);

@@ -34,7 +34,7 @@ Situation random_situation(Random& random, const Robot& robot, double size)
   return s;
 }
 
-/// The state with that error.
+/// The state with the error of the situation.
 MotionState displaced(const ErrorModel& model, const Situation& s)
 {
   return {model.pose(s.error, s.reference.state), s.reference.state.v + s.error[3], s.reference.state.phi + s.error[4]};

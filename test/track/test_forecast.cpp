@@ -23,13 +23,13 @@ TEST(Forecast, WhatIsAskedForHappensLater)
   EXPECT_NEAR(forecast.asked(1.05).v, 0.25, 1e-12);
   EXPECT_NEAR(forecast.asked(1.05).phi, 0.15, 1e-12);
   EXPECT_NEAR(forecast.asked(7.0).v, 0.5, 1e-12);
-  forecast.ask(1.04, {0.2, 0.1}, 0.1);  // a new command before the one before it is carried out
+  forecast.ask(1.04, {0.2, 0.1}, 0.1);  // a new command before the last one has been carried out
   EXPECT_NEAR(forecast.asked(1.03).v, 0.15, 1e-12);
   EXPECT_NEAR(forecast.asked(1.04).v, 0.2, 1e-12);
   EXPECT_NEAR(forecast.asked(1.09).v, 0.2, 1e-12);
 }
 
-/// A robot that does what it is asked for is where the forecast says, however old the pose is.
+/// A robot that follows the commands is where the forecast says, for any age of the pose.
 TEST(Forecast, FollowsACommandedMotion)
 {
   const Robot robot;
@@ -53,7 +53,7 @@ TEST(Forecast, FollowsACommandedMotion)
   }
 }
 
-/// Wheels that are measured to be slower than they should be catch up with their lag.
+/// Wheels that are measured to be too slow approach the commanded speed with their lag.
 TEST(Forecast, ADeviationFadesWithTheLag)
 {
   TrackOptions options;

@@ -13,7 +13,7 @@ namespace
 
 constexpr unsigned kSeed = 43;
 
-/// A controller somewhere on a random stretch, with a robot beside it.
+/// A random stretch, a time on it, and a robot beside the reference.
 struct Scene
 {
   Robot robot;
@@ -69,7 +69,7 @@ bool is_feasible(const Mpc& mpc, const std::vector<ErrorInput>& inputs)
     Eigen::Matrix<double, 7, 1> z;
     z << x, inputs[k];
     const auto& bounds = mpc.problem().bounds[k];
-    const int first = k == 0 ? 5 : 0;  // the initial state is what it is
+    const int first = k == 0 ? 5 : 0;  // the initial state is fixed
     if ((z - bounds.lower).tail(7 - first).minCoeff() < -1e-6) return false;
     if ((bounds.upper - z).tail(7 - first).minCoeff() < -1e-6) return false;
     x = mpc.horizon().intervals[k].jacobian * z;
@@ -98,7 +98,7 @@ TEST(Mpc, OnTheReferenceTheAnswerIsTheReference)
   }
 }
 
-/// Without bounds the problem is one of linear least squares in the stacked inputs, which dense algebra solves as well.
+/// Without bounds the problem is linear least squares in all inputs, which dense algebra solves as well.
 TEST(Mpc, WhereNoBoundIsActiveItIsTheLeastSquaresSolution)
 {
   Random random(kSeed);
@@ -110,7 +110,7 @@ TEST(Mpc, WhereNoBoundIsActiveItIsTheLeastSquaresSolution)
     mpc.restart(scene.mode, scene.range());
     ASSERT_TRUE(mpc.solve(scene.reference, scene.t, scene.state).usable);
     const std::vector<ErrorInput> zero(mpc.solution().controls.size(), ErrorInput::Zero());
-    // The cost is quadratic: its gradient and Hessian come exactly from values at unit inputs.
+    // The cost is quadratic, so its gradient and Hessian follow exactly from values at unit inputs.
     const int n = 2 * static_cast<int>(zero.size());
     const auto at = [&](int i, int j) {
       std::vector<ErrorInput> inputs = zero;
@@ -198,13 +198,13 @@ TEST(Mpc, StatesBeyondTheBoundsStillHaveAnAnswer)
   }
 }
 
-/// How much of each of its limits an answer uses, at most: 1 is all of it.
+/// The greatest share of each limit that a solution uses.
 struct Shares
 {
   double acceleration = 0.0, steering_rate = 0.0, wheel_rate = 0.0, speed = 0.0, wheel_speed = 0.0, phi = 0.0;
 };
 
-/// Of a solved problem. The wheels' limits are linearised where the reference has its steering angle.
+/// The shares of a solution. The limits of the wheels are linearised about the steering angle of the reference.
 Shares shares_of(const Mpc& mpc, const Scene& scene, const Robot& robot, double max_phi)
 {
   const double first = 1.0 / scene.options.controller_frequency, horizon = scene.options.horizon;
@@ -230,7 +230,7 @@ Shares shares_of(const Mpc& mpc, const Scene& scene, const Robot& robot, double 
     shares.acceleration = std::max(shares.acceleration, std::abs(a) / robot.max_acceleration);
     shares.steering_rate = std::max(shares.steering_rate, std::abs(omega) / robot.max_steering_rate);
     shares.phi = std::max(shares.phi, phi / max_phi);
-    // What is too fast at first may brake.
+    // A robot that is too fast at first may brake.
     const double excess = std::abs(scene.state.v) - robot.max_acceleration * time(k + 1);
     shares.speed = std::max(shares.speed, v / std::max(robot.max_speed, excess));
     const double by_wheels = robot.wheel_max_speed / wheel_speed_ratio(robot, scene.mode, to.phi);
@@ -239,7 +239,7 @@ Shares shares_of(const Mpc& mpc, const Scene& scene, const Robot& robot, double 
   return shares;
 }
 
-/// Each limit in turn is less than what the reference was made with, so that it is reached.
+/// Each limit in turn is lower than that of the reference, so that the solution reaches it.
 TEST(Mpc, KeepsTheLimitsOfTheRobotAndUsesThem)
 {
   struct Limit

@@ -1,4 +1,5 @@
-// Robots that are pushed off their trajectory return to it or stop and say so, and stay within the stated bound.
+// Robots that are pushed off their trajectory return to it, or stop with a message, and stay within the bound of
+// doc/design.md.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace
 
 constexpr unsigned kSeed = 48;
 
-/// Everywhere the trajectory leads to, a pose each centimetre or so.
+/// Poses along the trajectory, about one per centimetre.
 std::vector<Pose> places(const Robot& robot, const Trajectory& trajectory)
 {
   std::vector<Pose> all;
@@ -34,7 +35,7 @@ double distance_to(const std::vector<Pose>& places, const Pose& pose)
   return least;
 }
 
-/// doc/design.md: how far from the trajectory a robot may get that is pushed aside by `push`.
+/// The bound of doc/design.md for the distance from the trajectory of a robot that is pushed aside by `push`.
 double bound(const Robot& robot, const TrackOptions& options, const Pose& push)
 {
   const double v = robot.max_speed, late = options.command_latency + 1.0 / options.controller_frequency;

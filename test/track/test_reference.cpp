@@ -17,7 +17,7 @@ Reference reference_of(const Robot& robot, const Trajectory& points)
   return Reference(robot, points.data(), points.data() + points.size());
 }
 
-/// The kinematics from one point on, by Euler's midpoint rule in very small steps.
+/// The motion from a point on, by the midpoint rule in very small steps.
 MotionState integrate(const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to, double time)
 {
   constexpr int steps = 2000;

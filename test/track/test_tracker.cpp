@@ -15,7 +15,7 @@ namespace
 
 constexpr unsigned kSeed = 44;
 
-/// The greatest errors of a drive to the end.
+/// The greatest errors of a drive.
 struct Errors
 {
   double lateral = 0.0, longitudinal = 0.0, heading = 0.0;
@@ -92,7 +92,7 @@ TEST(Tracker, TheMirrorImageIsDrivenLikeTheOriginal)
   {
     point.y = -point.y;
     point.theta = -point.theta;
-    // Lateral motion to the right is lateral motion with v < 0, and keeps the sense in which it turns by keeping phi.
+    // In lateral mode the mirror image has v < 0, and phi stays, because the turn changes its sense with v.
     if (point.mode == Mode::lateral)
       point.v = -point.v;
     else
@@ -118,7 +118,7 @@ TEST(Tracker, ReturnsFromBesideTheTrajectory)
   for (const Mode mode : kPlannedModes)
     for (const Pose& push : {Pose{0.0, 0.1, 0.0}, Pose{-0.1, 0.0, 0.0}, Pose{0.0, 0.0, M_PI / 18}})
     {
-      if (mode == Mode::parallel && push.theta != 0.0) continue;  // has no way to turn, see the corrections
+      if (mode == Mode::parallel && push.theta != 0.0) continue;  // parallel motion cannot turn; the corrections can
       Rig rig;
       const Trajectory trajectory = trajectory_of(robot, {}, {{mode, 0.0, 5.0}});
       ASSERT_EQ(rig.tracker.accept(trajectory), "");
@@ -131,7 +131,7 @@ TEST(Tracker, ReturnsFromBesideTheTrajectory)
     }
 }
 
-/// In the direction of travel, which in reverse is not that of the wheels.
+/// In reverse the direction of travel is opposite to the course.
 TEST(Tracker, ErrorsAreToTheLeftAndAlongTheDirectionOfTravel)
 {
   constexpr double kPush = 0.05, kNear = 0.01;

@@ -74,7 +74,7 @@ TEST(TrackerSequence, AlignedCountsOnlyForACommandOfThisAlignment)
 /// A report about any command since the beginning of this alignment counts.
 TEST(TrackerSequence, AlignedCountsFromTheFirstCommandOfThisAlignmentOn)
 {
-  constexpr int kSteps = 5;  // of the alignment, before the base says anything
+  constexpr int kSteps = 5;  // of the alignment, before the base reports it
   for (const auto& [behind_first, state] : {std::pair(-1, TrackState::aligning),
                                             {0, TrackState::driving},
                                             {kSteps - 1, TrackState::driving},
@@ -281,7 +281,7 @@ TEST(TrackerSequence, AGoalThatCannotBeReachedIsGivenUpInBoundedTime)
   const Trajectory trajectory = trajectory_of(rig.robot, {}, {{Mode::ackermann, 0.0, 2.0}});
   ASSERT_EQ(rig.tracker.accept(trajectory), "");
   ASSERT_TRUE(rig.step_until([&] { return rig.output.t > trajectory.back().t - 0.05; }));
-  rig.tamper = [](TrackInput& input) { input.pose = {2.0, 0.04, 0.0}; };  // wherever it goes, it does not get nearer
+  rig.tamper = [](TrackInput& input) { input.pose = {2.0, 0.04, 0.0}; };  // it never gets nearer
   EXPECT_TRUE(rig.step_until([&] { return is_resting(rig.output.state); }, 15.0));
   EXPECT_EQ(rig.output.state, TrackState::failed);
   EXPECT_NE(rig.message.find("from the goal and could not get nearer"), std::string::npos) << rig.message;

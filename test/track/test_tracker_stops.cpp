@@ -1,4 +1,4 @@
-// Every reason to stop: the robot brakes along its curve, comes to rest, and says why.
+// For every reason to stop, the robot brakes along its curve, comes to rest, and reports the reason.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ std::vector<Failure> unusable_inputs()
   };
 }
 
-/// A robot, or a wheel, that is where it should not be.
+/// A robot or a wheel that is away from where it should be.
 std::vector<Failure> deviations()
 {
   return {
@@ -74,7 +74,7 @@ Trajectory long_arc(const Robot& robot)
   return trajectory_of(robot, {}, {{Mode::ackermann, 0.2, 8.0}});
 }
 
-/// Speed of the rear right wheel that the base is told.
+/// The commanded speed of the rear right wheel.
 double told_speed(const Rig& rig)
 {
   return rig.output.command.motion.speed[3];

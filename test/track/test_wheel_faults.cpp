@@ -1,4 +1,4 @@
-// Wheels that break while the simulated base drives: the robot stops near its path and says so, or gets there.
+// Wheels that break while the simulated base drives. The robot stops near its path with a message, or reaches the goal.
 
 #include <gtest/gtest.h>
 

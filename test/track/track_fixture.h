@@ -14,14 +14,14 @@
 namespace fourwis
 {
 
-/// Part of a path: a mode, its steering angle, a signed length.
+/// A piece of a path: mode, steering angle, signed length.
 struct Piece
 {
   Mode mode;
   double phi, length;
 };
 
-/// One piece after the other, with stops where steering, direction or mode change.
+/// A trajectory of these pieces, with stops where steering angle, direction or mode change.
 inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std::vector<Piece>& pieces)
 {
   Path path;
@@ -35,7 +35,7 @@ inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std
   return stop_and_steer(path, robot, robot.max_speed);
 }
 
-/// A tracker that knows that IdealBase neither lags nor is late.
+/// The options for a base without lag and latency.
 inline TrackOptions ideal_options()
 {
   TrackOptions options;
@@ -102,7 +102,7 @@ public:
   double clock = 0.0;                       ///< error of the clock [s]
   std::function<void(TrackInput&)> tamper;  ///< changes the input of the tracker
   TrackOutput output;
-  std::string message;  ///< the last step's
+  std::string message;  ///< of the last step
 };
 
 }  // namespace fourwis

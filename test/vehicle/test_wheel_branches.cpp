@@ -19,7 +19,7 @@ constexpr unsigned kSeed = 42;
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
-/// All angles of a wheel over a stretch, from its start to either end, followed in small steps without jumps.
+/// All angles of a wheel over a stretch, from its start to both ends, in small steps without jumps.
 std::vector<double> followed(const Robot& robot, const SteeringStretch& stretch, std::size_t wheel, double first)
 {
   constexpr int kSteps = 100;
@@ -37,7 +37,7 @@ std::vector<double> followed(const Robot& robot, const SteeringStretch& stretch,
   return angles;
 }
 
-/// Least turn at standstill from the measured angle to a branch that never leaves the travel: every half turn is tried.
+/// The least turn at standstill from the measured angle to a branch within the travel. All half turns are tried.
 double least_turn(const Robot& robot, const SteeringStretch& stretch, std::size_t wheel, double measured)
 {
   double least = kUnreachable;

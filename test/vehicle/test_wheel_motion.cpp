@@ -128,7 +128,7 @@ TEST_F(RandomWheels, TellTheParallelAngleNearestToTheOneAskedFor)
   }
 }
 
-/// What the estimate of phi minimises: how fast the wheels slip sideways for each m/s of C.
+/// What the estimate of phi minimises: the velocity of the wheels across their headings, per speed of C.
 double side_slip(const Robot& robot, Mode mode, const PerWheel& angles, double phi)
 {
   const Twist twist = body_twist(robot, mode, 1.0, phi);

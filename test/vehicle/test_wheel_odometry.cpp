@@ -106,14 +106,14 @@ TEST_F(OdometryOfWheels, KnowsThatWheelsBesideTheirAxesRollWhenSteeredAtRest)
     wheels.speed.fill(-kOffset * kRate);
     odometry.update(stamp + k * kInterval, wheels);
   }
-  // The first measurement has no rate yet, and counts for half an interval.
+  // The first measurement has no rate yet. It counts for half an interval.
   expect_pose({}, kOffset * kRate * kInterval);
 }
 
 /// Scatter of the final pose of odometry with noisy wheels, and its own covariance.
 TEST_F(OdometryOfWheels, HasTheCovarianceOfManyRuns)
 {
-  constexpr int kRuns = 600, kSteps = 200;  // noise so small that its square does not shorten the way
+  constexpr int kRuns = 600, kSteps = 200;  // the noise is so small that its square has no effect on the length
   constexpr double kDeviation = 0.01, kSpeed = 0.5;
   const WheelMotion truth = wheel_motion(robot, Mode::ackermann, kSpeed, 0.3);
   Random random(kSeed);

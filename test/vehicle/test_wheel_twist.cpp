@@ -70,7 +70,7 @@ TEST_F(TwistOfWheels, IsThatOfEveryMode)
       }
 }
 
-/// What least squares minimises.
+/// The sum that least squares minimises.
 double squares(const Robot& robot, const WheelMotion& wheels, const Twist& twist)
 {
   double sum = 0.0;

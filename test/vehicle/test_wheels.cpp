@@ -55,7 +55,7 @@ TEST(WheelSpeedRatio, IsThatOfTheFastestWheelOfTheTable)
         << to_string(row.mode) << " " << row.phi << " deg";
 }
 
-/// How each steering axis moves in the body's frame for each metre of C, by differences of the arc driven.
+/// The motion of each steering axis in the frame of the body per metre of C, by differences along the arc.
 std::array<Pose, kWheels> axis_velocities(const Robot& robot, Mode mode, double phi)
 {
   constexpr double h = 1e-5;
