@@ -65,7 +65,7 @@ class Tally
 public:
   void plan(const Place& place, const PlanRequest& request, const std::string& name)
   {
-    const PlanResult result = Planner(place.robot, planner_options()).plan(place.world, request);
+    const PlanResult result = Planner(planner_options()).plan(place.world, request);
     Count& count = counts_[to_string(result.status)];
     ++count.answers;
     count.ways += place.flood.joins(request.start, request.goal) ? 1 : 0;

@@ -95,12 +95,19 @@ PlanRequest Place::request(Random& random) const
   return request;
 }
 
+/// The flood turns the body. Parallel motion alone does not, so that a way of the flood says nothing about it.
+bool flood_can_judge(const ModeSet& modes)
+{
+  return modes.contains(Mode::ackermann) || modes.contains(Mode::lateral);
+}
+
 std::string fault_in_answer(const Place& place, const PlanRequest& request, const PlanResult& result)
 {
   switch (result.status)
   {
     case PlanStatus::succeeded: return fault_in_trajectory(place, request, result.trajectory);
-    case PlanStatus::goal_unreachable: return place.flood.joins(request.start, request.goal) ? "there is a way" : "";
+    case PlanStatus::goal_unreachable:
+      return flood_can_judge(request.modes) && place.flood.joins(request.start, request.goal) ? "there is a way" : "";
     case PlanStatus::start_in_collision: return place.covered_body.collides(request.start) ? "" : "the start is free";
     case PlanStatus::goal_in_collision: return place.covered_body.collides(request.goal) ? "" : "the goal is free";
     case PlanStatus::no_path:
