@@ -16,7 +16,7 @@ namespace fourwis
 class CollisionChecker
 {
 public:
-  /// Keeps references: both must outlive the checker.
+  /// Keeps references: both must outlive the checker. Throws as check(robot) does.
   CollisionChecker(const ObstacleMap& map, const Robot& robot);
 
   /// The same, but free is as well where the snug cover keeps the safety margin or, within a metre of a pose in `tight`, as
