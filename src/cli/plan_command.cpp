@@ -10,6 +10,7 @@
 #include "fourwis_navigation/map/map_file.h"
 #include "fourwis_navigation/parameters/parameters.h"
 #include "fourwis_navigation/planner/planner.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 #include "output_file.h"
 #include "picture.h"
 #include "report.h"
@@ -169,6 +170,7 @@ int report_unusable(const std::string& why, const std::string& json_file, std::o
 int run(const PlanArguments& arguments, std::ostream& out, std::ostream& err)
 {
   const Problem problem = read_problem(arguments);
+  for (const std::string& limitation : limitations(problem.robot)) tell(err, limitation);
   const Outputs outputs(arguments, out);
   const Answer answer = plan_repeatedly(problem, arguments.repeat, arguments.corridors || arguments.iterations);
   const PlanResult& result = answer.result;

@@ -70,6 +70,10 @@ void write_json(std::ostream& out, const PlanResult& result)
   out << "{\"status\": " << text_of("status", to_string(result.status)) << ",\n"
       << " \"message\": " << text_of("message", result.message) << ",\n"
       << " \"metrics\": " << metrics_object(result.metrics) << ",\n"
+      << " \"candidate\": " << text_of("candidate", result.candidate) << ",\n"
+      << " \"fallback_parts\": " << result.fallback_parts << ",\n"
+      << " \"overlap_m\": " << text_of("overlap_m", result.overlap) << ",\n"
+      << " \"degraded\": " << text_of("degraded", result.degraded) << ",\n"
       << " \"points\": [";
   const char* separator = "\n  ";
   for (const TrajectoryPoint& point : result.trajectory)

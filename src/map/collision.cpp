@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
+#include "fourwis_navigation/map/body_overlap.h"
 #include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 
 namespace fourwis
 {
@@ -14,9 +15,11 @@ namespace
 {
 
 /// Shortest stride along a motion where the safety margin is small or zero [m].
-constexpr double kLeastStride = 0.01;
-/// How far around a tight pose less than the safety margin is kept [m].
-constexpr double kTightSpot = 1.0;
+constexpr double kLeastStride = 0.005;
+/// What the body keeps at least where nothing else is asked for: what may be missed between two checks [m].
+constexpr double kLeastMargin = 0.0005;
+/// By how much more than its margin the body is tried to be free, in sizes of the robot: then the next check is so far away.
+constexpr double kRooms[] = {0.03, 0.06, 0.12, 0.24};
 /// So that a pose has the margin that was measured at it [m].
 constexpr double kRounding = 1e-6;
 /// More clearance than this is not asked for [m].
@@ -37,7 +40,9 @@ double clearance_between_checks(double radius, double offset, double turning_rad
 double least_turning_radius(const Robot& robot)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (Mode mode : kPlannedModes) least = std::min(least, turning_radius(robot, mode, robot.max_steering_angle));
+  const DriveLimits limits(robot);
+  for (Mode mode : kPlannedModes)
+    if (limits[mode].curvature > 0.0) least = std::min(least, 1.0 / limits[mode].curvature);
   return least;
 }
 
@@ -48,6 +53,7 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
     robot_(checked(robot)),
     discs_(two_discs(robot)),
     needed_(discs_),
+    with_margin_(grown(body_of(robot), std::max(robot.safety_margin, kLeastMargin))),
     stride_(std::max(kLeastStride, robot.safety_margin)),
     reach_(discs_.offset),
     least_clearance_(clearance_between_checks(discs_.radius, discs_.offset, least_turning_radius(robot), stride_))
@@ -56,30 +62,32 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight)
   : CollisionChecker(map, robot)
 {
-  snug_ = snug_cover(robot);
+  const ConvexPolygon body = body_of(robot);
   double least = robot.safety_margin;
   for (const Pose& pose : tight)
   {
-    const double margin = std::clamp(fourwis::clearance(map, *snug_, pose) - kRounding, 0.0, robot.safety_margin);
-    tight_.push_back({pose.x, pose.y, margin});
+    const double margin = std::max(0.0, body_clearance(map, body, pose, robot.safety_margin + kRounding) - kRounding);
+    if (margin >= robot.safety_margin) continue;
+    tight_.push_back({pose.x, pose.y, margin, grown(body, margin)});
     least = std::min(least, margin);
   }
+  goes_by_body_ = true;
+  // Two discs that cover the body with its margin: they only save the look at the body.
+  const double margin = std::max(robot.safety_margin, kLeastMargin);
+  discs_.radius = std::hypot(robot.length / 4.0 + margin, robot.width / 2.0 + margin);
   needed_ = inscribed_discs(robot, least);
-  const double inside = inscribed_discs(robot, 0.0).radius - snug_->radius;
-  std::copy_if(snug_->centres.begin(), snug_->centres.end(), std::back_inserter(rim_), [&](const Point2& centre) {
-    return std::hypot(std::abs(centre.x) - needed_.offset, centre.y) > inside;
-  });
+  for (double by : kRooms) larger_.push_back({by * robot.size(), grown(with_margin_, by * robot.size())});
   stride_ = std::max(kLeastStride, least);
-  reach_ = std::max(reach_, snug_->reach());
+  reach_ = std::max(reach_, reach_of(with_margin_));
   least_clearance_ = clearance_between_checks(needed_.radius, needed_.offset, least_turning_radius(robot), stride_);
 }
 
-double CollisionChecker::margin_at(double x, double y) const
+const ConvexPolygon& CollisionChecker::with_margin_at(double x, double y) const
 {
-  double margin = robot_.safety_margin;
+  const TightSpot* least = nullptr;
   for (const TightSpot& spot : tight_)
-    if (std::hypot(x - spot.x, y - spot.y) < kTightSpot) margin = std::min(margin, spot.margin);
-  return margin;
+    if (spot.is_near(x, y) && (!least || spot.margin < least->margin)) least = &spot;
+  return least ? least->with_margin : with_margin_;
 }
 
 bool CollisionChecker::is_free(double x, double y, double cosine, double sine, double& clearance) const
@@ -87,7 +95,20 @@ bool CollisionChecker::is_free(double x, double y, double cosine, double sine, d
   const double before = clearance;
   if (are_clear(discs_, x, y, cosine, sine, clearance)) return true;
   clearance = before;
-  return snug_ && is_snug_free(x, y, cosine, sine, clearance);
+  if (!goes_by_body() || !are_clear(needed_, x, y, cosine, sine, clearance)) return false;
+  clearance = 0.0;
+  return is_clear(map_, with_margin_at(x, y), {x, y, cosine, sine});
+}
+
+/// Where the body is free by how much it is at least [m]. `step` is that of the pose before, and then of this one.
+double CollisionChecker::room(double x, double y, double cosine, double sine, std::size_t& step) const
+{
+  const auto has = [&](std::size_t i) { return is_clear(map_, larger_[i].outline, {x, y, cosine, sine}); };
+  if (step > 0 && !has(step - 1))
+    while (--step > 0 && !has(step - 1)) continue;
+  else if (step < larger_.size() && has(step))
+    ++step;
+  return step > 0 ? larger_[step - 1].by : 0.0;
 }
 
 bool CollisionChecker::are_clear(const TwoDiscs& discs, double x, double y, double cosine, double sine,
@@ -98,26 +119,10 @@ bool CollisionChecker::are_clear(const TwoDiscs& discs, double x, double y, doub
          map_.is_clear(x - ox, y - oy, discs.radius, clearance);
 }
 
-bool CollisionChecker::is_snug_free(double x, double y, double cosine, double sine, double& clearance) const
-{
-  const double margin = margin_at(x, y), radius = snug_->radius + margin;
-  if (!are_clear(inscribed_discs(robot_, margin), x, y, cosine, sine, clearance)) return false;
-  return std::all_of(rim_.begin(), rim_.end(), [&](const Point2& centre) {
-    return map_.is_clear(x + centre.x * cosine - centre.y * sine, y + centre.x * sine + centre.y * cosine, radius,
-                         clearance);
-  });
-}
-
 bool CollisionChecker::is_free(const Pose& pose) const
 {
   double clearance = 0.0;
   return is_free(pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta), clearance);
-}
-
-double CollisionChecker::clearance(const Pose& pose) const
-{
-  const double two = fourwis::clearance(map_, {{{discs_.offset, 0.0}, {-discs_.offset, 0.0}}, discs_.radius}, pose);
-  return snug_ ? std::max(two, fourwis::clearance(map_, *snug_, pose) - margin_at(pose.x, pose.y)) : two;
 }
 
 double CollisionChecker::free_length(const PathPiece& piece) const
@@ -127,6 +132,7 @@ double CollisionChecker::free_length(const PathPiece& piece) const
   // A disc centre moves at most this much for each metre that C does.
   const double stretch = 1.0 + std::abs(arc.curvature()) * reach_;
   double free = 0.0;
+  std::size_t room_step = 0;
   for (double s = 0.0;;)
   {
     const Arc::Placement placement = arc.at(direction * s);
@@ -134,19 +140,10 @@ double CollisionChecker::free_length(const PathPiece& piece) const
     if (!is_free(placement.x, placement.y, placement.cosine, placement.sine, clearance)) return free;
     free = s;
     if (s >= total) return total;
+    if (goes_by_body() && clearance < stride_)
+      clearance = room(placement.x, placement.y, placement.cosine, placement.sine, room_step);
     s = std::min(total, s + std::max(stride_, clearance) / stretch);
   }
-}
-
-double clearance(const ObstacleMap& map, const DiscCover& discs, const Pose& pose)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const Point2& centre : discs.centres)
-  {
-    const Pose place = compose(pose, {centre.x, centre.y, 0.0});
-    least = std::min(least, map.distance(place.x, place.y) - discs.radius);
-  }
-  return least;
 }
 
 }  // namespace fourwis

@@ -42,9 +42,9 @@ SegmentSolution IpoptSegmentOptimizer::solve(const SegmentTask& task, double tol
   if (!fits(task)) return result;
 
   const Segment& segment = task.segment;
-  const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(task, robot_, options_, limits);
-  const OcpNlp<SegmentModel> program(
+  const MotionLimits limits(robot_, segment.mode);
+  const auto problem = segment_problem<WheelSpeedRows>(task, robot_, options_, limits, reference_speed_);
+  const OcpNlp<SegmentModel<WheelSpeedRows>> program(
       problem.model, problem.numbers,
       task.previous ? guess_from(*task.previous) : reference_guess(segment, limits, problem.model.h_ref));
   IpoptOptions solver_options;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourwis_navigation/vehicle/mode_traits.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
 namespace fourwis
@@ -33,16 +33,21 @@ double wheel_gain(const Robot& robot, Mode mode, double phi)
 
 }  // namespace
 
-MotionLimits::MotionLimits(const Robot& robot, Mode mode, double reference_speed)
-  : speed(std::min({robot.max_speed, reference_speed})),
-    angle(max_phi(robot, mode)),
+MotionLimits::MotionLimits(const Robot& robot, Mode mode)
+  : speed(std::min(robot.max_speed, wheel_speed(robot))),
+    angle(DriveLimits(robot)[mode].phi),
     acceleration(robot.max_acceleration)
 {
-  speed = std::min(speed, kReserve * robot.wheel_max_speed / wheel_speed_ratio(robot, mode, angle));
+  wheels_limit_speed = speed * wheel_speed_ratio(robot, mode, angle) > wheel_speed(robot);
   double gain = 0.0;
   for (int k = 0; k <= kSteps; ++k) gain = std::max(gain, wheel_gain(robot, mode, angle * k / kSteps));
   steering_rate = std::min(robot.max_steering_rate, wheel_rate(robot) / gain);
   fastest_steering = std::min(robot.max_steering_rate, wheel_rate(robot));
+}
+
+double MotionLimits::wheel_speed(const Robot& robot)
+{
+  return kReserve * robot.wheel_max_speed;
 }
 
 double MotionLimits::wheel_rate(const Robot& robot)

@@ -10,11 +10,11 @@ namespace fourwis
 class MotionLimits
 {
 public:
-  /// `reference_speed` bounds the speed, too. The wheels on the inside of a curve turn faster than the equivalent wheel,
-  /// those on the outside roll faster than the centre; `wheel_max_rate` and `wheel_max_speed` hold for all of them.
-  MotionLimits(const Robot& robot, Mode mode, double reference_speed);
+  /// The wheels on the inside of a curve turn faster than the equivalent wheel; `wheel_max_rate` holds for all of them.
+  MotionLimits(const Robot& robot, Mode mode);
 
-  double speed;             ///< of |v| [m/s]
+  double speed;             ///< of |v|, where the robot goes straight [m/s]
+  bool wheels_limit_speed;  ///< whether a wheel would roll too fast somewhere at that speed
   double angle;             ///< of |phi| [rad]
   double acceleration;      ///< of |a| [m/s^2]
   double steering_rate;     ///< of |omega| at every phi [rad/s]
@@ -22,6 +22,9 @@ public:
 
   /// What the optimisation allows a wheel to turn about its own axis: the limit less a reserve for rounding [rad/s].
   static double wheel_rate(const Robot& robot);
+
+  /// The same for its rolling speed [m/s].
+  static double wheel_speed(const Robot& robot);
 };
 
 }  // namespace fourwis

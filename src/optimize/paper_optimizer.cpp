@@ -17,7 +17,7 @@ namespace
 /// The paper's limits. It has no limits of single wheels.
 MotionLimits paper_limits(const Robot& robot, Mode mode, double reference_speed)
 {
-  MotionLimits limits(robot, mode, reference_speed);
+  MotionLimits limits(robot, mode);
   limits.speed = std::min(robot.max_speed, reference_speed);
   limits.steering_rate = robot.max_steering_rate;
   return limits;

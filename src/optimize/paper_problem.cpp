@@ -27,7 +27,7 @@ double initial_duration(const Segment& segment, const MotionLimits& limits)
 Trajectory reference_points(const Segment& segment, const MotionLimits& limits)
 {
   const double h = initial_duration(segment, limits) / static_cast<double>(segment.intervals());
-  return points_of(reference_guess(segment, limits, h), segment.mode);
+  return points_of(reference_guess(segment, limits, std::vector<double>(segment.intervals(), h)), segment.mode);
 }
 
 double squared_distance(double x, double y, const Box& box)

@@ -22,9 +22,8 @@ constexpr Effort kCold{0.1, 300};
 /// From a solution of nearly the same problem. The second is tried if the first, quick one fails.
 constexpr Effort kWarm[] = {{1e-3, 60}, {1e-2, 300}};
 
-using Solver = ocp::Solver<SegmentModel>;
-
-void take(const Solver::Solution& solution, Mode mode, SegmentSolution& result)
+template <class Solution>
+void take(const Solution& solution, Mode mode, SegmentSolution& result)
 {
   result.solved = solution.status == ocp::Status::solved || solution.status == ocp::Status::acceptable;
   result.message = ocp::to_string(solution.status);
@@ -45,12 +44,20 @@ SegmentOptimizer::SegmentOptimizer(const Robot& robot, const OptimizeOptions& op
 
 SegmentSolution SegmentOptimizer::solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const
 {
+  const MotionLimits limits(robot_, task.segment.mode);
+  return limits.wheels_limit_speed ? solve_with<WheelSpeedRows>(task, limits, tolerance, interrupt)
+                                   : solve_with<NoWheelSpeedRows>(task, limits, tolerance, interrupt);
+}
+
+template <class WheelSpeeds>
+SegmentSolution SegmentOptimizer::solve_with(const SegmentTask& task, const MotionLimits& limits, double tolerance,
+                                             const Interrupt& interrupt) const
+{
   const Segment& segment = task.segment;
-  const MotionLimits limits(robot_, segment.mode, reference_speed_);
-  const SegmentProblem problem = segment_problem(task, robot_, options_, limits);
+  const auto problem = segment_problem<WheelSpeeds>(task, robot_, options_, limits, reference_speed_);
 
   const auto interrupted = [&] { return interrupt.cancelled() || interrupt.timed_out(); };
-  Solver solver;
+  ocp::Solver<SegmentModel<WheelSpeeds>> solver;
   SegmentSolution result;
   const auto try_with = [&](const Effort& effort, const ocp::Trajectory<5, 3>& guess) {
     ocp::Options solver_options;

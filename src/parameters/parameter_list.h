@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -61,6 +62,16 @@ public:
                            }});
   }
 
+  /// `otherwise` says what it is where it is not set.
+  void operator()(std::string_view key, std::optional<double>& value, double least, double greatest, const char* unit,
+                  const char* otherwise)
+  {
+    const std::string name = prefix_ + std::string(key);
+    const OptionRange range{least, greatest, unit};
+    parameters_.push_back({name, value ? to_text(*value) : otherwise, limits_of(range), unit,
+                           [name, &value, range](const ParameterValue& given) { value = number_in(name, given, range); }});
+  }
+
   template <class Value, class Text>
   void operator()(std::string_view key, Value& value, const Text& text)
   {
@@ -106,7 +117,7 @@ template <class Options>
 Options options_from(const ParameterMap& given)
 {
   Options options;
-  set_from(given, ParameterList::of(options));
+  set_from(given, ParameterList::of(options), Missing::keeps_its_default);
   return options;
 }
 

@@ -40,7 +40,20 @@ constexpr double kLeastInterval = 1e-3;
 /// How often the knots' spacing is halved.
 constexpr int kHalvings = 2;
 
-std::vector<PathPart> split(const Path& path, const Robot& robot, double spacing)
+/// Pieces in one direction, from standstill to standstill.
+std::vector<Path> split_at_cusps(const Path& path)
+{
+  std::vector<Path> runs;
+  for (const PathPiece& piece : path.pieces)
+  {
+    if (runs.empty() || std::signbit(runs.back().pieces.back().length) != std::signbit(piece.length)) runs.emplace_back();
+    runs.back().pieces.push_back(piece);
+  }
+  return runs;
+}
+
+/// The parts between switches of a path.
+std::vector<PathPart> split_path(const Path& path, const Robot& robot, double spacing)
 {
   std::vector<PathPart> parts;
   for (const PathPiece& piece : path.pieces)
@@ -55,6 +68,18 @@ std::vector<PathPart> split(const Path& path, const Robot& robot, double spacing
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (!parts[i].is_one_stretch()) parts[i].references.push_back(std::move(segments[i]));
   }
+  return parts;
+}
+
+/// The same, and the way out of obstacles as a part of its own.
+std::vector<PathPart> split(Path path, const Robot& robot, double spacing)
+{
+  if (!path.begins_with_way_out) return split_path(path, robot, spacing);
+  std::vector<PathPart> parts(1);
+  parts.front().path.pieces = {path.pieces.front()};
+  path.pieces.erase(path.pieces.begin());
+  std::vector<PathPart> rest = split_path(path, robot, spacing);
+  std::move(rest.begin(), rest.end(), std::back_inserter(parts));
   return parts;
 }
 
@@ -83,10 +108,15 @@ void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
   double begin = 0.0;
   if (!whole.empty())
   {
-    const TrajectoryPoint &end = whole.back(), &next = part.front();
-    begin = end.t + std::max(robot.mode_switch_time,
-                             kSwitchReserve * reorientation_time(robot, wheel_angles(robot, end.mode, end.phi),
-                                                                 wheel_angles(robot, next.mode, next.phi)));
+    TrajectoryPoint& end = whole.back();
+    const TrajectoryPoint& next = part.front();
+    const double stand = end.mode == next.mode
+                             ? steering_time(robot, end.mode, end.phi, next.phi)
+                             : std::max(robot.mode_switch_time,
+                                        kSwitchReserve * reorientation_time(robot, wheel_angles(robot, end.mode, end.phi),
+                                                                            wheel_angles(robot, next.mode, next.phi)));
+    begin = end.t + stand;
+    if (end.mode == next.mode) end.omega = (next.phi - end.phi) / stand;
   }
   for (TrajectoryPoint point : part)
   {
@@ -101,10 +131,13 @@ BackEnd::BackEnd(const PlanContext& context) : context_(context), refiner_(conte
 
 Refinement BackEnd::refine(const Path& path) const
 {
-  const std::vector<PathPart> parts = split(path, context_.robot(), context_.options.optimize.spacing);
-  std::vector<RefinedPart> refined(parts.size());
-  context_.threads.for_each(parts.size(), [&](std::size_t i) { refined[i] = refine(parts[i]); });
-  return assemble(std::move(refined));
+  const double spacing = context_.options.optimize.knot_spacing(context_.robot());
+  const std::vector<PathPart> parts = split(path, context_.robot(), spacing);
+  std::vector<std::vector<RefinedPart>> refined(parts.size());
+  context_.threads.for_each(parts.size(), [&](std::size_t i) { refined[i] = refine_in_runs(parts[i], spacing); });
+  std::vector<RefinedPart> all;
+  for (std::vector<RefinedPart>& runs : refined) std::move(runs.begin(), runs.end(), std::back_inserter(all));
+  return assemble(std::move(all));
 }
 
 void BackEnd::polish(Refinement& refinement) const
@@ -115,6 +148,19 @@ void BackEnd::polish(Refinement& refinement) const
   // If the wheels end at another angle, they may take longer to turn at the switch.
   const auto later = [](const Trajectory& a, const Trajectory& b) { return !a.empty() && a.back().t > b.back().t; };
   if (!later(polished.trajectory, refinement.trajectory)) refinement = std::move(polished);
+}
+
+/// A part as a whole. Where its optimisation fails, one run from cusp to cusp after the other.
+std::vector<RefinedPart> BackEnd::refine_in_runs(const PathPart& part, double spacing) const
+{
+  RefinedPart whole = refine(part);
+  const std::vector<Path> runs = split_at_cusps(part.path);
+  if (!whole.failed || runs.size() < 2) return {std::move(whole)};
+  std::vector<RefinedPart> refined;
+  for (const Path& run : runs)
+    for (const PathPart& alone : split_path(run, context_.robot(), spacing)) refined.push_back(refine(alone));
+  refined.front().solver_iterations += whole.solver_iterations;
+  return refined;
 }
 
 /// Optimises a part. Where there are too few knots it tries again with more of them.
@@ -133,7 +179,7 @@ RefinedPart BackEnd::refine(const PathPart& part) const
   result.failed = !result.optimized && !part.is_one_stretch();
   if (result.failed) result.message = refined.solved ? "the exact motion misses the knots" : refined.message;
   result.points = result.optimized ? split_at_standstill(context_.robot(), result.rounds.back().points)
-                                   : stop_and_steer(part.path, context_.robot(), context_.reference_speed());
+                                   : stop_and_steer(part.path, context_.robot());
   return result;
 }
 

@@ -52,6 +52,7 @@ public:
   void polish(Refinement& refinement) const;
 
 private:
+  std::vector<RefinedPart> refine_in_runs(const PathPart& part, double spacing) const;
   RefinedPart refine(const PathPart& part) const;
   void polish(RefinedPart& part) const;
   Refinement assemble(std::vector<RefinedPart> parts) const;

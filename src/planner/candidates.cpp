@@ -13,7 +13,7 @@ constexpr double kSoftened = 0.2;
 /// Costs that stand for time: a share of the penalties, and the stop at each change of direction.
 SearchOptions time_costs(const Robot& robot, SearchOptions options, double share)
 {
-  const double stop = options.reference_speed * options.reference_speed / robot.max_acceleration;
+  const double v_ref = options.v_ref(robot), stop = v_ref * v_ref / robot.max_acceleration;
   options.reverse_penalty *= share;
   options.lateral_reverse_penalty *= share;
   options.steering_penalty *= share;
@@ -31,19 +31,21 @@ bool same_path(const Path& a, const Path& b)
   return std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(), same_piece);
 }
 
-Candidates collect(const std::vector<SearchResult>& results)
+Candidates collect(const std::vector<SearchVariant>& variants, const std::vector<SearchResult>& results)
 {
-  Candidates candidates;
-  candidates.status = results.front().status;
-  for (const SearchResult& result : results)
+  Candidates found;
+  found.status = results.front().status;
+  for (std::size_t i = 0; i < results.size(); ++i)
   {
-    candidates.expansions += result.expansions;
+    const SearchResult& result = results[i];
+    found.expansions += result.expansions;
     if (result.status != PlanStatus::succeeded) continue;
-    candidates.status = PlanStatus::succeeded;
-    const auto known = [&](const Path& path) { return same_path(path, result.path); };
-    if (std::none_of(candidates.paths.begin(), candidates.paths.end(), known)) candidates.paths.push_back(result.path);
+    found.status = PlanStatus::succeeded;
+    const auto known = [&](const Candidate& candidate) { return same_path(candidate.path, result.path); };
+    if (std::none_of(found.candidates.begin(), found.candidates.end(), known))
+      found.candidates.push_back({variants[i].name, result.path});
   }
-  return candidates;
+  return found;
 }
 
 }  // namespace
@@ -51,22 +53,27 @@ Candidates collect(const std::vector<SearchResult>& results)
 std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes)
 {
   const ModeSet car = {kCarMode};
-  std::vector<SearchVariant> variants = {{modes, time_costs(robot, options, 0.0), Effort::thorough}};
+  std::vector<SearchVariant> variants = {{"all modes by time", modes, time_costs(robot, options, 0.0)}};
   if (modes.contains(kCarMode) && modes != car)
-    variants.push_back({car, time_costs(robot, options, 0.0), Effort::quick});
-  if (modes.contains(kCarMode)) variants.push_back({car, time_costs(robot, options, kSoftened), Effort::quick});
+    variants.push_back({"ackermann by time", car, time_costs(robot, options, 0.0)});
+  if (modes.contains(kCarMode)) variants.push_back({"ackermann softened", car, time_costs(robot, options, kSoftened)});
   return variants;
 }
 
-Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, ThreadBudget& threads,
-                           std::vector<Pose>* expanded)
+Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,
+                           ThreadBudget& threads, std::vector<Pose>* expanded)
 {
   std::vector<SearchResult> results(variants.size());
   threads.for_each(variants.size(), [&](std::size_t i) {
     const SearchVariant& variant = variants[i];
-    results[i] = search.find(variant.options, variant.modes, variant.effort, i == 0 ? expanded : nullptr);
+    results[i] = search.find(variant.options, variant.modes, std::min(effort, Effort::both_ways), i == 0 ? expanded : nullptr);
   });
-  return collect(results);
+  Candidates found = collect(variants, results);
+  if (found.status != PlanStatus::no_path || effort == Effort::quick) return found;
+  const int expansions = found.expansions;
+  found = collect({variants.front()}, {search.find(variants.front().options, variants.front().modes, effort, expanded)});
+  found.expansions += expansions;
+  return found;
 }
 
 }  // namespace fourwis

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fourwis_navigation/model/path.h"
@@ -14,9 +15,16 @@ namespace fourwis
 /// One way to search.
 struct SearchVariant
 {
+  const char* name;
   ModeSet modes;
   SearchOptions options;
-  Effort effort = Effort::thorough;
+};
+
+/// What one of them found.
+struct Candidate
+{
+  std::string name;
+  Path path;
 };
 
 /// Different ways to the same goal.
@@ -24,7 +32,7 @@ struct Candidates
 {
   PlanStatus status = PlanStatus::no_path;  ///< of the first search; succeeded if there is any path
   int expansions = 0;                       ///< of all searches
-  std::vector<Path> paths;                  ///< no two alike
+  std::vector<Candidate> candidates;        ///< no two paths alike
 };
 
 /// The searches for paths that are worth optimising. The paper's costs penalise steering and reversing, which take
@@ -33,9 +41,10 @@ struct Candidates
 /// that stand for time, and with Ackermann motion by softened costs.
 std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
 
-/// What they find, searching at the same time. Poses that the first expands are appended to `expanded` where it is not
+/// What they find, searching at the same time: all with a quick search, and where that finds nothing and more effort is
+/// allowed, the first variant with a thorough one. Poses that the first expands are appended to `expanded` where it is not
 /// null.
-Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, ThreadBudget& threads,
+Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort, ThreadBudget& threads,
                            std::vector<Pose>* expanded = nullptr);
 
 }  // namespace fourwis

@@ -1,10 +1,10 @@
 #include "certifier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
+#include "fourwis_navigation/map/body_overlap.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 
 namespace fourwis
@@ -14,6 +14,8 @@ namespace
 
 /// Greatest motion between two checked poses where an obstacle is touched [m].
 constexpr double kLeastStep = 0.002;
+/// Clearances of the body that are told apart [m].
+constexpr std::array<double, 4> kMargins = {0.01, 0.004, 0.002, 0.001};
 /// Clearances greater than this count as equal [m].
 constexpr double kFar = 0.1;
 /// Parts of an interval whose sum stands for the exact motion.
@@ -58,11 +60,16 @@ double cover_clearance(const ObstacleMap& map, const DiscCover& discs, const Sta
 
 }  // namespace
 
-Certifier::Certifier(const ObstacleMap& map, const Robot& robot, std::vector<DiscCover> covers)
+Certifier::Certifier(const ObstacleMap& map, const Robot& robot, const DiscCover& discs)
   : map_(map),
     robot_(robot),
-    covers_(std::move(covers))
-{}
+    discs_(discs),
+    reach_(discs.reach())
+{
+  const ConvexPolygon body = body_of(robot);
+  for (double margin : kMargins) bodies_.push_back({margin, grown(body, margin)});
+  reach_ = std::max(reach_, reach_of(bodies_.front().outline));
+}
 
 Certificate Certifier::certify(const Trajectory& points) const
 {
@@ -81,7 +88,7 @@ double Certifier::least_clearance(const SimpsonDynamics& dynamics, const Traject
                                   const TrajectoryPoint& to) const
 {
   const double duration = to.t - from.t;
-  const double speed = std::max(greatest_disc_speed(from, to), 1e-6);
+  const double speed = std::max(greatest_speed_of_body(from, to), 1e-6);
   double least = kFar;
   for (double t = 0.0;;)
   {
@@ -93,22 +100,21 @@ double Certifier::least_clearance(const SimpsonDynamics& dynamics, const Traject
 }
 
 /// Greatest speed of a disc centre within an interval, whose v and phi are greatest at an end [m/s].
-double Certifier::greatest_disc_speed(const TrajectoryPoint& from, const TrajectoryPoint& to) const
+double Certifier::greatest_speed_of_body(const TrajectoryPoint& from, const TrajectoryPoint& to) const
 {
-  double reach = 0.0;
-  for (const DiscCover& discs : covers_) reach = std::max(reach, discs.reach());
   const double kappa =
       std::max(std::abs(curvature(robot_, from.mode, from.phi)), std::abs(curvature(robot_, from.mode, to.phi)));
-  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * reach);
+  return std::max(std::abs(from.v), std::abs(to.v)) * (1.0 + kappa * reach_);
 }
 
-/// Least distance to obstacles of the cover that is clearest [m]. If the first cover is clear, the others are not
-/// checked.
+/// Least distance of the discs to obstacles, or where the body has more, that [m].
 double Certifier::clearance_at(const State& x) const
 {
-  double clearance = -std::numeric_limits<double>::infinity();
-  for (const DiscCover& discs : covers_)
-    if (clearance < kLeastStep) clearance = std::max(clearance, cover_clearance(map_, discs, x));
+  const double clearance = cover_clearance(map_, discs_, x);
+  if (clearance >= kMargins.front()) return clearance;
+  const Placed place = placed({x[0], x[1], x[2]});
+  for (const GrownBody& body : bodies_)
+    if (body.margin > clearance && is_clear(map_, body.outline, place)) return body.margin;
   return clearance;
 }
 

@@ -7,6 +7,7 @@
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/trajectory.h"
 #include "fourwis_navigation/optimize/simpson.h"
+#include "fourwis_navigation/vehicle/body.h"
 #include "fourwis_navigation/vehicle/footprint.h"
 
 namespace fourwis
@@ -30,19 +31,28 @@ struct Certificate
 class Certifier
 {
 public:
-  /// Keeps references to map and robot. Any of the covers (without safety margin) may show a pose to be clear.
-  Certifier(const ObstacleMap& map, const Robot& robot, std::vector<DiscCover> covers);
+  /// Keeps references to map and robot. The discs (without safety margin) or the body itself may show a pose to be clear.
+  Certifier(const ObstacleMap& map, const Robot& robot, const DiscCover& discs);
 
   Certificate certify(const Trajectory& points) const;
 
 private:
+  /// The body with a margin that tells clearances apart.
+  struct GrownBody
+  {
+    double margin;
+    ConvexPolygon outline;
+  };
+
   double least_clearance(const SimpsonDynamics& dynamics, const TrajectoryPoint& from, const TrajectoryPoint& to) const;
-  double greatest_disc_speed(const TrajectoryPoint& from, const TrajectoryPoint& to) const;
+  double greatest_speed_of_body(const TrajectoryPoint& from, const TrajectoryPoint& to) const;
   double clearance_at(const SimpsonDynamics::State& x) const;
 
   const ObstacleMap& map_;
   const Robot& robot_;
-  const std::vector<DiscCover> covers_;
+  const DiscCover discs_;
+  std::vector<GrownBody> bodies_;  ///< from the largest to the smallest
+  double reach_;                   ///< of the farthest point that is checked from C [m]
 };
 
 }  // namespace fourwis

@@ -18,7 +18,7 @@ struct PlanContext
   ThreadBudget& threads;
 
   const Robot& robot() const { return world.robot; }
-  double reference_speed() const { return options.search.reference_speed; }
+  double reference_speed() const { return options.search.v_ref(world.robot); }
 };
 
 }  // namespace fourwis

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "fourwis_navigation/map/collision.h"
 #include "fourwis_navigation/model/plan.h"
 #include "fourwis_navigation/model/sentence.h"
+#include "fourwis_navigation/planner/planner.h"
 
 namespace fourwis
 {
@@ -12,10 +12,10 @@ namespace fourwis
 /// A result that is not a plan: the status says of which kind, the message why.
 PlanResult refusal(PlanStatus status, std::string message);
 
-/// A refusal for a request that cannot be planned for; `succeeded` for all others.
-PlanResult check_request(const CollisionChecker& checker, const PlanRequest& request);
+/// What is to be said of a plan besides its numbers; `why` a part fell back to stops.
+std::string remarks(const PlanResult& result, const std::string& why);
 
-/// How a search that found nothing ended.
-std::string search_sentence(PlanStatus status, int expansions, const PlanRequest& request);
+/// How a search that found nothing ended; `asked` is in the map frame.
+std::string search_sentence(const World& world, const PlanResult& result, const PlanRequest& asked);
 
 }  // namespace fourwis

@@ -4,16 +4,22 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "back_end.h"
 #include "candidates.h"
+#include "endpoints.h"
 #include "fourwis_navigation/model/option_check.h"
+#include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
+#include "grid_frame.h"
 #include "judge.h"
 #include "paper_back_end.h"
 #include "plan_context.h"
 #include "plan_sentences.h"
 #include "stop_and_steer.h"
+#include "way_out.h"
 
 namespace fourwis
 {
@@ -27,8 +33,17 @@ constexpr double kWorthPolishing = 1.01;
 struct Task
 {
   PlanContext context;
-  const PlanRequest& request;
+  const PlanRequest& request;  ///< in the frame of the world's grid
+  const PlanRequest& asked;    ///< the same in the map frame
+  const std::optional<PathPiece>& way_out;  ///< of obstacles that the body overlaps at the start
   PlanTrace* trace;
+
+  /// Where the search begins.
+  Pose start() const
+  {
+    return way_out ? advance(context.robot(), way_out->start, way_out->mode, way_out->phi, way_out->length)
+                   : request.start;
+  }
 };
 
 bool is_paper(const PlannerOptions& options)
@@ -55,26 +70,30 @@ Trajectory stay_at(const Pose& pose, const ModeSet& modes)
 std::vector<SearchVariant> variants(const Task& task)
 {
   const SearchOptions& options = task.context.options.search;
-  if (task.request.frontend_only || is_paper(task.context.options)) return {{task.request.modes, options}};
+  if (task.request.frontend_only || is_paper(task.context.options)) return {{"all", task.request.modes, options}};
   return variants_by_time(task.context.robot(), options, task.request.modes);
 }
 
 /// Paths from start to goal; the result says how the search went.
-std::vector<Path> find(const Task& task, PlanResult& result)
+std::vector<Candidate> find(const Task& task, Effort effort, PlanResult& result)
 {
   const PlanClock::time_point begin = PlanClock::now();
   const PlanContext& context = task.context;
-  const Search search({context.checker, task.request.start, task.request.goal, context.interrupt});
+  const Search search({context.checker, task.start(), task.request.goal, context.interrupt});
   Candidates found =
-      find_candidates(search, variants(task), context.threads, task.trace ? &task.trace->expanded : nullptr);
-  result.metrics.expansions = found.expansions;
-  result.metrics.frontend_ms = ms_since(begin);
+      find_candidates(search, variants(task), effort, context.threads, task.trace ? &task.trace->expanded : nullptr);
+  result.metrics.expansions += found.expansions;
+  result.metrics.frontend_ms += ms_since(begin);
   result.status = context.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
-  if (result.status != PlanStatus::succeeded)
-    result.message = search_sentence(result.status, found.expansions, task.request);
-  else
-    result.path = found.paths.front();
-  return std::move(found.paths);
+  if (result.status != PlanStatus::succeeded) return {};
+  if (task.way_out)
+    for (Candidate& candidate : found.candidates)
+    {
+      candidate.path.pieces.insert(candidate.path.pieces.begin(), *task.way_out);
+      candidate.path.begins_with_way_out = true;
+    }
+  result.path = found.candidates.front().path;
+  return std::move(found.candidates);
 }
 
 double arrival_time(const Refinement& refinement)
@@ -83,11 +102,11 @@ double arrival_time(const Refinement& refinement)
 }
 
 /// All paths optimised, and those polished that may become the fastest by it.
-std::vector<Refinement> refine(const PlanContext& context, const std::vector<Path>& paths)
+std::vector<Refinement> refine(const PlanContext& context, const std::vector<Candidate>& candidates)
 {
   const BackEnd back_end(context);
-  std::vector<Refinement> refined(paths.size());
-  context.threads.for_each(refined.size(), [&](std::size_t i) { refined[i] = back_end.refine(paths[i]); });
+  std::vector<Refinement> refined(candidates.size());
+  context.threads.for_each(refined.size(), [&](std::size_t i) { refined[i] = back_end.refine(candidates[i].path); });
   double least = std::numeric_limits<double>::infinity();
   for (const Refinement& refinement : refined) least = std::min(least, arrival_time(refinement));
   context.threads.for_each(refined.size(), [&](std::size_t i) {
@@ -106,41 +125,49 @@ std::vector<std::size_t> fastest_first(const std::vector<Refinement>& refined)
   return order;
 }
 
-void report(Refinement& refinement, PlanTrace* trace, PlanMetrics& metrics)
+void report(Refinement& refinement, PlanTrace* trace, PlanResult& result)
 {
-  metrics.outer_iterations = refinement.outer_iterations;
-  metrics.ipopt_iterations = refinement.solver_iterations;
+  result.fallback_parts = refinement.fallbacks;
+  result.metrics.outer_iterations = refinement.outer_iterations;
+  result.metrics.ipopt_iterations = refinement.solver_iterations;
   if (!trace) return;
   for (RefinedPart& part : refinement.parts) trace->rounds.push_back(std::move(part.rounds));
 }
 
 /// The fastest that the referee accepts; when it accepts none, the first path with all its stops.
-void choose(const Task& task, const std::vector<Path>& paths, std::vector<Refinement> refined, PlanResult& result)
+void choose(const Task& task, const std::vector<Candidate>& candidates, std::vector<Refinement> refined,
+            PlanResult& result)
 {
   const PlanContext& context = task.context;
   const std::vector<std::size_t> order = fastest_first(refined);
   std::vector<Trajectory> trajectories;
   for (std::size_t i : order) trajectories.push_back(std::move(refined[i].trajectory));
-  trajectories.push_back(stop_and_steer(paths.front(), context.robot(), context.reference_speed()));
+  trajectories.push_back(stop_and_steer(candidates.front().path, context.robot()));
   const std::size_t chosen = judge(context.world, task.request, std::move(trajectories), result);
-  if (chosen == order.size()) return;
-  result.path = paths[order[chosen]];
-  report(refined[order[chosen]], task.trace, result.metrics);
+  const bool is_refined = chosen < order.size();
+  const Candidate& candidate = candidates[is_refined ? order[chosen] : 0];
+  result.candidate = candidate.name;
+  result.path = candidate.path;
+  result.fallback_parts = candidate.path.switches() + 1;
+  const std::string why = is_refined ? refined[order[chosen]].message : "no candidate was accepted";
+  if (is_refined) report(refined[order[chosen]], task.trace, result);
+  if (result.status == PlanStatus::succeeded) result.message += remarks(result, task.request.frontend_only ? "" : why);
 }
 
-void refine_and_choose(const Task& task, const std::vector<Path>& paths, PlanResult& result)
+void refine_and_choose(const Task& task, const std::vector<Candidate>& candidates, PlanResult& result)
 {
   const PlanClock::time_point begin = PlanClock::now();
   std::vector<Refinement> refined;
-  if (!task.request.frontend_only) refined = refine(task.context, paths);
+  if (!task.request.frontend_only) refined = refine(task.context, candidates);
   result.metrics.backend_ms = ms_since(begin);
   if (task.context.interrupt.cancelled())
   {
     result.status = PlanStatus::cancelled;
-    result.message = search_sentence(result.status, result.metrics.expansions, task.request);
+    result.message = search_sentence(task.context.world, result, task.asked);
     return;
   }
-  choose(task, paths, std::move(refined), result);
+  result.degraded = task.context.interrupt.timed_out();
+  choose(task, candidates, std::move(refined), result);
 }
 
 PlanStatus status_of(const PaperRefinement& refinement, const Interrupt& interrupt)
@@ -164,31 +191,71 @@ void refine_as_in_paper(const Task& task, const Path& path, PlanResult& result)
     judge(task.context.world, task.request, {std::move(refinement.trajectory)}, result);
 }
 
-/// The whole way from a request to a verified trajectory.
-PlanResult try_to_plan(const Task& task)
+/// A plan between two free poses, or how the search for one ended.
+void try_to_plan(const Task& task, Effort effort, PlanResult& result)
 {
-  const PlanRequest& request = task.request;
-  PlanResult result = check_request(task.context.checker, request);
-  if (result.status != PlanStatus::succeeded) return result;
-  if (same_pose(request.start, request.goal))
+  const std::vector<Candidate> found = find(task, effort, result);
+  if (result.status != PlanStatus::succeeded) return;
+  if (is_paper(task.context.options) && !task.request.frontend_only)
+    refine_as_in_paper(task, found.front().path, result);
+  else
+    refine_and_choose(task, found, result);
+}
+
+/// First as the paper does, with two discs for the body. Where they find nothing, by the body itself.
+PlanResult plan_between(const World& world, const PlannerOptions& options, const PlanRequest& request,
+                        const PlanRequest& asked, const std::optional<PathPiece>& way_out, const Interrupt& interrupt,
+                        ThreadBudget& threads, PlanTrace* trace)
+{
+  PlanResult result;
+  if (same_pose(request.start, request.goal) && !way_out)
   {
-    judge(task.context.world, request, {stay_at(request.start, request.modes)}, result);
+    judge(world, request, {stay_at(request.start, request.modes)}, result);
     return result;
   }
-  const std::vector<Path> paths = find(task, result);
-  if (result.status != PlanStatus::succeeded) return result;
-  if (is_paper(task.context.options) && !request.frontend_only)
-    refine_as_in_paper(task, paths.front(), result);
-  else
-    refine_and_choose(task, paths, result);
+  const CollisionChecker two_discs(world.obstacles, world.robot);
+  const Task by_discs = {{world, options, two_discs, interrupt, threads}, request, asked, way_out, trace};
+  result.status = PlanStatus::no_path;
+  if (is_paper(options) || (two_discs.is_free(by_discs.start()) && two_discs.is_free(request.goal)))
+    try_to_plan(by_discs, is_paper(options) ? Effort::thorough : Effort::quick, result);
+  const bool found_nothing = result.status == PlanStatus::no_path || result.status == PlanStatus::goal_unreachable;
+  if (found_nothing && !is_paper(options))
+  {
+    const CollisionChecker body(world.obstacles, world.robot, {by_discs.start(), request.goal});
+    try_to_plan({{world, options, body, interrupt, threads}, request, asked, way_out, trace}, Effort::thorough, result);
+  }
+  if (result.message.empty()) result.message = search_sentence(world, result, asked);
   return result;
 }
 
-/// Whether the two discs may be what is in the way.
-bool is_too_tight(const PlanResult& result)
+/// What is wrong with a request whatever the map is.
+PlanResult check_request(const PlanRequest& request)
 {
-  return result.status == PlanStatus::start_in_collision || result.status == PlanStatus::goal_in_collision ||
-         result.status == PlanStatus::goal_unreachable || result.status == PlanStatus::no_path;
+  if (!is_finite(request.start)) return refusal(PlanStatus::invalid_input, "the start pose is not finite");
+  if (!is_finite(request.goal)) return refusal(PlanStatus::invalid_input, "the goal pose is not finite");
+  if (request.modes.empty())
+    return refusal(PlanStatus::invalid_input, "no motion mode that the wheels can do is allowed");
+  return refusal(PlanStatus::succeeded, "");
+}
+
+/// Both poses judged by the body; then the plan.
+PlanResult plan_in(const World& world, const PlannerOptions& options, const PlanRequest& request,
+                   const PlanRequest& asked, const Interrupt& interrupt, ThreadBudget& threads, PlanTrace* trace)
+{
+  const Endpoint start = endpoint(world, options, request.start), goal = endpoint(world, options, request.goal);
+  const bool may_leave = start.clearance >= -options.referee.start_tolerance && !start.off_map;
+  std::optional<PathPiece> out;
+  if (start.clearance < 0.0 && may_leave) out = way_out(world, request.start, request.modes);
+  if (start.clearance < 0.0 && !out)
+    return refusal(PlanStatus::start_in_collision,
+                   collision_sentence(world, start, "start", asked.start, request.start));
+  if (goal.clearance < 0.0)
+    return refusal(PlanStatus::goal_in_collision, collision_sentence(world, goal, "goal", asked.goal, request.goal));
+  PlanResult result = plan_between(world, options, request, asked, out, interrupt, threads, trace);
+  result.overlap = std::max(0.0, -start.clearance);
+  if (result.overlap > 0.0 && result.status == PlanStatus::succeeded)
+    result.message += sentence("; at the start the body overlaps an obstacle by %.3f m", result.overlap);
+  return result;
 }
 
 }  // namespace
@@ -213,22 +280,28 @@ Planner::Planner(const PlannerOptions& options, int threads) : options_(options)
   const ThreadBudget usable(threads_);  // or it throws
 }
 
-PlanResult Planner::plan(const World& world, const PlanRequest& request, const Interrupt& interrupt,
+PlanResult Planner::plan(const World& world, const PlanRequest& asked, const Interrupt& interrupt,
                          PlanTrace* trace) const
 {
   const PlanClock::time_point begin = PlanClock::now();
   const Interrupt watch = interrupt.or_after(options_.planner_patience);
-  ThreadBudget threads(threads_);
-  const CollisionChecker two_discs(world.obstacles, world.robot);
-  PlanResult result = try_to_plan({{world, options_, two_discs, watch, threads}, request, trace});
-  if (is_too_tight(result) && !is_paper(options_))
+  const GridFrame frame(world.grid.origin);
+  PlanRequest request = frame.to_grid(asked);
+  request.modes = asked.modes & DriveLimits(world.robot).possible();
+  PlanResult result = check_request(request);
+  if (result.status == PlanStatus::succeeded)
   {
-    const PlanMetrics before = result.metrics;
-    const CollisionChecker close(world.obstacles, world.robot, {request.start, request.goal});
-    result = try_to_plan({{world, options_, close, watch, threads}, request, trace});
-    result.metrics.frontend_ms += before.frontend_ms;
-    result.metrics.expansions += before.expansions;
+    ThreadBudget threads(threads_);
+    if (stands_on_unseen_ground(world, request.start))
+    {
+      const World seen(with_free_ground(world.grid, world, request.start), world.robot, options_);
+      result = plan_in(seen, options_, request, asked, watch, threads, trace);
+    }
+    else
+      result = plan_in(world, options_, request, asked, watch, threads, trace);
   }
+  frame.to_map(result);
+  if (trace) frame.to_map(*trace);
   result.metrics.map_ms = world.build_ms;
   result.metrics.frontend_ms += world.build_ms;
   result.metrics.total_ms = world.build_ms + ms_since(begin);

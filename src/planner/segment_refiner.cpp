@@ -62,12 +62,9 @@ Corridor near_edges(const Corridor& corridor, const Trajectory& points, double r
   return near;
 }
 
-/// The covers that may show that a motion is free: the discs and, if the checker uses it as well, the snug cover.
 Certifier certifier(const CollisionChecker& checker, const DiscCover& discs)
 {
-  std::vector<DiscCover> covers = {without_margin(discs, checker.robot())};
-  if (checker.snug()) covers.push_back(*checker.snug());
-  return Certifier(checker.map(), checker.robot(), std::move(covers));
+  return Certifier(checker.map(), checker.robot(), without_margin(discs, checker.robot()));
 }
 
 }  // namespace
@@ -161,7 +158,7 @@ PolytopeCorridor SegmentRefiner::corridor(const DiscCover& discs, const std::vec
                                           const std::vector<double>& shrink) const
 {
   PolytopeOptions options;
-  options.range = options_.corridor_range;
+  options.range = options_.range(context_.robot());
   return polytope_corridor(context_.world.rectangles, discs, options, knots, shrink);
 }
 

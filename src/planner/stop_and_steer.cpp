@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 #include "fourwis_navigation/vehicle/wheels.h"
 
 namespace fourwis
@@ -38,30 +39,10 @@ std::vector<PathPiece> merge(const std::vector<PathPiece>& pieces)
   return stretches;
 }
 
-/// Least time in which phi can change from one angle to another at a constant rate within a mode [s]. Three things
-/// limit it: the rate of phi, the rate of each wheel where it turns fastest, and wheels that have to turn the other way
-/// because of their travel.
-double steering_time(const Robot& robot, Mode mode, double from, double to)
-{
-  WheelAngles last = wheel_angles(robot, mode, from);
-  double time = std::max(std::abs(to - from) / robot.max_steering_rate,
-                         reorientation_time(robot, last, wheel_angles(robot, mode, to)));
-  Robot unlimited = robot;
-  unlimited.wheel_max_angle = 2.0 * M_PI;
-  for (int k = 1; k <= kSteeringSamples; ++k)
-  {
-    const WheelAngles next = wheel_angles(robot, mode, from + (to - from) * k / kSteeringSamples);
-    time = std::max(time, kSteeringSamples * reorientation_time(unlimited, last, next));
-    last = next;
-  }
-  // Between samples a wheel may turn a little faster; and two points never share one time.
-  return std::max(kLeastWait, time * (1.0 + 1.0 / kSteeringSamples));
-}
-
 class Timeline
 {
 public:
-  Timeline(const Robot& robot, double reference_speed) : robot_(robot), reference_speed_(reference_speed) {}
+  explicit Timeline(const Robot& robot) : robot_(robot) {}
 
   void stand(const PathPiece& stretch, double duration)
   {
@@ -75,8 +56,7 @@ public:
   void drive(const PathPiece& stretch)
   {
     const double length = std::abs(stretch.length), a = robot_.max_acceleration;
-    const double limit = std::min({reference_speed_, robot_.max_speed,
-                                   robot_.wheel_max_speed / wheel_speed_ratio(robot_, stretch.mode, stretch.phi)});
+    const double limit = greatest_speed(robot_, stretch.mode, stretch.phi);
     const double peak = std::min(limit, std::sqrt(a * length));
     const double ramp = peak / a, cruise = std::max(0.0, length / peak - ramp);
     if (points_.empty() || points_.back().mode != stretch.mode || points_.back().phi != stretch.phi)
@@ -117,16 +97,32 @@ private:
   }
 
   const Robot& robot_;
-  double reference_speed_;
   double time_ = 0.0;
   Trajectory points_;
 };
 
 }  // namespace
 
-Trajectory stop_and_steer(const Path& path, const Robot& robot, double reference_speed)
+double steering_time(const Robot& robot, Mode mode, double from, double to)
 {
-  Timeline timeline(robot, reference_speed);
+  WheelAngles last = wheel_angles(robot, mode, from);
+  double time = std::max(std::abs(to - from) / robot.max_steering_rate,
+                         reorientation_time(robot, last, wheel_angles(robot, mode, to)));
+  Robot unlimited = robot;
+  unlimited.wheel_max_angle = 2.0 * M_PI;
+  for (int k = 1; k <= kSteeringSamples; ++k)
+  {
+    const WheelAngles next = wheel_angles(robot, mode, from + (to - from) * k / kSteeringSamples);
+    time = std::max(time, kSteeringSamples * reorientation_time(unlimited, last, next));
+    last = next;
+  }
+  // Between samples a wheel may turn a little faster; and two points never share one time.
+  return std::max(kLeastWait, time * (1.0 + 1.0 / kSteeringSamples));
+}
+
+Trajectory stop_and_steer(const Path& path, const Robot& robot)
+{
+  Timeline timeline(robot);
   const PathPiece* last = nullptr;
   const std::vector<PathPiece> stretches = merge(path.pieces);
   for (const PathPiece& stretch : stretches)

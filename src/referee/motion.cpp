@@ -12,7 +12,8 @@ namespace fourwis::referee
 namespace
 {
 
-constexpr double kTouch = 1e-9;  // an overlap of this depth is still a touch [m]
+constexpr double kTouch = 1e-9;          // an overlap of this depth is still a touch [m]
+constexpr double kDepthRounding = 1e-7;  // depths are equal within this [m]
 
 // Clearances that exceed the least one so far by more than the look-ahead count as equal. The look-ahead is adapted to
 // the last clearance seen.
@@ -35,6 +36,7 @@ public:
       half_length_(judgement.robot.length / 2),
       half_width_(judgement.robot.width / 2),
       radius_(std::hypot(half_length_, half_width_)),
+      greatest_depth_(judgement.options.start_tolerance),
       least_(INFINITY)
   {}
 
@@ -142,9 +144,13 @@ private:
     const bool in_doubt = safe_motion_ <= 0.0;
     const std::optional<Cell> hit = inside && in_doubt ? cells_.overlapped(touching) : std::nullopt;
     double clearance = 0.0;
-    if (!inside || hit)
+    if (inside && hit && is_leaving(x, y, cosine, sine))
+      clearance = 0.0;
+    else if (!inside || hit)
       collide(i, t, Pose{x, y, theta}, hit);
-    else
+    else if (in_doubt)
+      greatest_depth_ = 0.0;
+    if (inside && !hit)
       clearance = cells_.clearance(cells_.box(x, y, cosine, sine, half_length_, half_width_),
                                    (least_ + look_ahead_) / cells_.resolution()) *
                   cells_.resolution();
@@ -155,6 +161,22 @@ private:
     // new least clearance can lie between them.
     const double spacing = std::max({clearance - least_, least_ / 4.0, step_});
     motion_to_next_look_ = std::max(step_ / 8.0, std::min(clearance, spacing));
+  }
+
+  /// Whether a body that overlaps has done so since the start, and is not deeper than ever before.
+  bool is_leaving(double x, double y, double cosine, double sine)
+  {
+    if (greatest_depth_ <= 0.0) return false;
+    double free = std::min(half_length_, half_width_), deep = 0.0;
+    while (free - deep > kTouch)
+    {
+      const double depth = (free + deep) / 2.0;
+      const Box box = cells_.box(x, y, cosine, sine, half_length_ - depth, half_width_ - depth);
+      (cells_.overlapped(box) ? deep : free) = depth;
+    }
+    if (free > greatest_depth_ + kDepthRounding) return false;
+    greatest_depth_ = std::min(greatest_depth_, free);
+    return true;
   }
 
   /// One sentence for each interval.
@@ -176,7 +198,8 @@ private:
   const ObstacleCells& cells_;
   Verdict& verdict_;
   const double step_, half_length_, half_width_, radius_;
-  double least_;  ///< clearance so far [m]
+  double greatest_depth_;  ///< that the body may have; 0 as soon as it has been free [m]
+  double least_;           ///< clearance so far [m]
   double look_ahead_ = kMostLookAhead;
   double safe_motion_ = 0.0;          ///< the body cannot reach an obstacle within this motion [m]
   double motion_to_next_look_ = 0.0;  ///< the grid is looked at after this motion [m]; may exceed safe_motion_

@@ -80,7 +80,9 @@ std::optional<Violation> Referee::first_violation_from(double t, const Trajector
   const Trajectory rest = rest_of(robot_, accepted, t);
   Verdict verdict;
   referee::Report report;
-  referee::check_motion({robot_, options_, rest, report}, *cells_, verdict);
+  RefereeOptions strict = options_;
+  strict.start_tolerance = 0.0;
+  referee::check_motion({robot_, strict, rest, report}, *cells_, verdict);
   const std::vector<Violation> violations = report.sorted();
   if (violations.empty()) return std::nullopt;
   Violation first = violations.front();

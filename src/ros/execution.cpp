@@ -127,7 +127,7 @@ bool Execution::is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& che
   const MapStore::Snapshot map = maps_.newest();
   if (map == checked) return false;
   checked = map;
-  const auto violation = map->world.referee.first_violation_from(t, active.trajectory);
+  const auto violation = map->world.first_violation_from(t, active.trajectory);
   if (!violation) return false;
   active.reason_stamp = plausible(map->stamp, ros::Time::now(), options_.transform_tolerance);
   active.reason = "the way is blocked: " + violation->what;

@@ -10,6 +10,7 @@
 #include "closed_list.h"
 #include "fourwis_navigation/model/option_range.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "mode_curves.h"
 #include "motion_cost.h"
@@ -27,8 +28,12 @@ constexpr int kFan = 12;
 constexpr int kFanTried = 4;
 /// Curves tried in one terminal connection, cheapest first.
 constexpr std::size_t kCurvesTried = 12;
-/// The heuristic uses curves to the goal only within this distance of it [m]. Farther away the obstacles matter more.
+/// The heuristic uses curves to the goal only within this distance of it, in sizes of the robot. Farther away the obstacles
+/// matter more.
 constexpr double kNearGoal = 4.0;
+
+/// Shorter pieces are not worth a node [m].
+constexpr double kShortest = 1e-3;
 
 struct Node
 {
@@ -60,14 +65,18 @@ class HybridAStar
 {
 public:
   HybridAStar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
-              const DistanceToGoal& distance_to_goal)
+              const Guide& guide)
     : checker_(problem.checker),
       robot_(checker_.robot()),
       options_(options),
+      limits_(robot_),
+      primitive_length_(options.primitive_length(robot_)),
+      cell_size_(options.cell_size(robot_)),
+      near_goal_(kNearGoal * robot_.size()),
       request_{problem.start, problem.goal, modes},
       cost_(robot_, options),
       curves_(robot_, options, cost_, request_.modes),
-      distance_(distance_to_goal)
+      guide_(guide)
   {}
 
   SearchResult run(const Interrupt& interrupt, std::vector<Pose>* expanded)
@@ -146,8 +155,8 @@ private:
     const auto cell = [](double value, double size) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) & 0xFFFFF);
     };
-    return cell(n.pose.x - request_.goal.x, options_.xy_resolution) |
-           cell(n.pose.y - request_.goal.y, options_.xy_resolution) << 20 |
+    return cell(n.pose.x - request_.goal.x, cell_size_) |
+           cell(n.pose.y - request_.goal.y, cell_size_) << 20 |
            cell(heading, options_.heading_resolution) << 40 | static_cast<std::uint64_t>(n.mode) << 56 |
            direction << 59;
   }
@@ -157,10 +166,10 @@ private:
 
   double heuristic(const Node& n) const
   {
-    const double around = distance_(n.pose);
+    const double around = guide_.distance(n.pose);
     if (!options_.terminal_connection) return around;
     const double straight = distance(n.pose, request_.goal);
-    if (straight > kNearGoal) return around;
+    if (straight > near_goal_) return around;
     return std::max(around, curves_.length_with_switches(n.pose, n.mode, request_.goal));
   }
 
@@ -169,7 +178,7 @@ private:
   {
     if (!options_.terminal_connection) return is_within_tolerance(n);
     if (--until_connection_ > 0) return false;
-    until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * options_.primitive_length()));
+    until_connection_ = 1 + static_cast<int>(node(n).h / (2.0 * primitive_length_));
 
     curves_.candidates(node(n).pose, {node(n).mode, previous_piece(n), is_start(n)}, request_.goal,
                        std::numeric_limits<double>::infinity(), candidates_);
@@ -202,13 +211,18 @@ private:
       expand_translation(n);
       return;
     }
-    const double phi_max = max_phi(robot_, node(n).mode);
+    const double phi_max = limits_[node(n).mode].phi;
     for (double phi : {0.0, phi_max, -phi_max})
-      for (double direction : {1.0, -1.0}) push_primitive(n, phi, direction);
+      for (double direction : {1.0, -1.0})
+        if (guide_.heading_step > 0.0 && phi != 0.0)
+          push_turn(n, phi, direction);
+        else
+          push_primitive(n, phi, direction);
   }
 
   void expand_translation(int n)
   {
+    if (guide_.way_ahead) follow_guide(n);
     if (node(n).kind == Node::Kind::driven)
     {
       const double course = course_of(node(n).piece);
@@ -219,12 +233,12 @@ private:
     // it.
     std::array<std::pair<double, double>, kFan> fan;
     const Pose pose = node(n).pose;
-    const double length = options_.primitive_length();
+    const double length = primitive_length_;
     for (int i = 0; i < kFan; ++i)
     {
       const double course = i * 2.0 * M_PI / kFan, direction = pose.theta + course;
       const Pose end = {pose.x + length * std::cos(direction), pose.y + length * std::sin(direction), pose.theta};
-      fan[static_cast<std::size_t>(i)] = {distance_(end), course};
+      fan[static_cast<std::size_t>(i)] = {guide_.distance(end), course};
     }
     std::sort(fan.begin(), fan.end());
     for (std::size_t i = 0; i < kFanTried; ++i) push_translation(n, fan[i].second);
@@ -236,31 +250,81 @@ private:
   {
     course = wrap_angle(course);
     const bool backward = std::abs(course) > M_PI_2 + 1e-9;
-    push_primitive(n, backward ? wrap_angle(course + M_PI) : course, backward ? -1.0 : 1.0);
+    const double phi = backward ? wrap_angle(course + M_PI) : course;
+    if (std::abs(phi) <= limits_[node(n).mode].phi) push_primitive(n, phi, backward ? -1.0 : 1.0);
+  }
+
+  /// Straight to the farthest pose of the guide's way that can be seen from here.
+  void follow_guide(int n)
+  {
+    const Pose pose = node(n).pose;
+    guide_.way_ahead(pose, way_ahead_);
+    for (std::size_t count = way_ahead_.size(); count > 0; count /= 2)
+    {
+      const Pose there = relative_to(pose, way_ahead_[count - 1]);
+      const double course = std::atan2(there.y, there.x), length = std::hypot(there.x, there.y);
+      const bool backward = std::abs(course) > M_PI_2 + 1e-9;
+      const double phi = backward ? wrap_angle(course + M_PI) : course;
+      if (std::abs(phi) > limits_[node(n).mode].phi || length < kShortest) continue;
+      const PathPiece piece{node(n).mode, pose, phi, backward ? -length : length};
+      if (!checker_.is_free(piece)) continue;
+      push_piece(n, piece);
+      return;
+    }
+  }
+
+  /// An arc to the next heading in line with the guide's that is about a primitive away, or to one before it.
+  void push_turn(int n, double phi, double direction)
+  {
+    const double step = guide_.heading_step, theta = node(n).pose.theta;
+    PathPiece piece{node(n).mode, node(n).pose, phi, direction * primitive_length_};
+    const double turn = curvature(robot_, piece.mode, phi) * piece.length, side = turn < 0.0 ? -1.0 : 1.0;
+    const int steps = std::max(1, static_cast<int>(std::lround(std::abs(turn) / step)));
+    // So many whole steps from the multiple nearest to theta.
+    const double rest = std::round(theta / step) * step - theta;
+    const auto length_of = [&](int count) {
+      return std::max(0.0, side * rest + count * step) / std::abs(turn) * primitive_length_;
+    };
+    piece.length = direction * length_of(steps);
+    const double free = checker_.free_length(piece);
+    for (int count = steps; count > 0; count /= 2)
+    {
+      const double length = length_of(count);
+      if (length > free + 1e-12 || length < kShortest) continue;
+      piece.length = direction * length;
+      push_piece(n, piece);
+      return;
+    }
   }
 
   void push_primitive(int n, double phi, double direction)
   {
-    const double full = options_.primitive_length();
+    const double full = primitive_length_;
     PathPiece piece{node(n).mode, node(n).pose, phi, direction * full};
     const double free = checker_.free_length(piece);
     for (double fraction : kFractions)
     {
       if (fraction * full > free + 1e-12) continue;
       piece.length = direction * fraction * full;
-      Node next;
-      next.piece = piece;
-      next.pose = advance(robot_, piece.start, piece.mode, phi, piece.length);
-      next.g = node(n).g + cost_.piece(piece, previous_piece(n));
-      next.parent = n;
-      next.mode = piece.mode;
-      next.kind = Node::Kind::driven;
-      const int best = closed_[key(next)];
-      if (best >= 0 && node(best).g <= next.g) return;
-      next.h = heuristic(next);
-      push(next);
+      push_piece(n, piece);
       return;
     }
+  }
+
+  /// The node at the end of a piece that is free.
+  void push_piece(int n, const PathPiece& piece)
+  {
+    Node next;
+    next.piece = piece;
+    next.pose = advance(robot_, piece.start, piece.mode, piece.phi, piece.length);
+    next.g = node(n).g + cost_.piece(piece, previous_piece(n));
+    next.parent = n;
+    next.mode = piece.mode;
+    next.kind = Node::Kind::driven;
+    const int best = closed_[key(next)];
+    if (best >= 0 && node(best).g <= next.g) return;
+    next.h = heuristic(next);
+    push(next);
   }
 
   void expand_switch(int n, Mode mode)
@@ -297,15 +361,18 @@ private:
   const CollisionChecker& checker_;
   const Robot& robot_;
   const SearchOptions& options_;
+  const DriveLimits limits_;
+  const double primitive_length_, cell_size_, near_goal_;
   const PlanRequest request_;
   const MotionCost cost_;
   const ModeCurves curves_;
-  const DistanceToGoal& distance_;
+  const Guide& guide_;
 
   std::vector<Node> nodes_;
   std::priority_queue<OpenEntry> open_;
   ClosedList closed_;
   std::vector<ModeCurve> candidates_;
+  std::vector<Pose> way_ahead_;
   ModeCurve connection_;
   int last_ = -1;
   int expansions_ = 0;
@@ -315,13 +382,14 @@ private:
 }  // namespace
 
 SearchResult hybrid_astar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
-                          const DistanceToGoal& distance, std::vector<Pose>* expanded)
+                          const Guide& guide, std::vector<Pose>* expanded)
 {
-  require_positive("reference_speed", options.reference_speed);
-  require_positive("step_time", options.step_time);
-  require_positive("xy_resolution", options.xy_resolution);
+  const Robot& robot = problem.checker.robot();
+  require_positive("reference_speed", options.v_ref(robot));
+  require_positive("step_time", options.primitive_length(robot));
+  require_positive("xy_resolution", options.cell_size(robot));
   require_positive("heading_resolution", options.heading_resolution);
-  return HybridAStar(problem, options, modes, distance).run(problem.interrupt, expanded);
+  return HybridAStar(problem, options, modes, guide).run(problem.interrupt, expanded);
 }
 
 }  // namespace fourwis

@@ -23,19 +23,11 @@ Pose in_turning_radii(const Pose& relative, Mode mode, double kappa)
           (course.cosine * relative.y - course.sine * relative.x) * kappa, relative.theta};
 }
 
-/// Wheel angle in [-pi/2, pi/2] and signed length of the straight line to (x, y) in the body frame.
-void append_straight(double x, double y, ModeCurve& curve)
-{
-  const double length = std::hypot(x, y);
-  if (length < kNoLength) return;
-  const bool backward = x < 0.0;
-  curve.append(kTranslation, backward ? std::atan2(-y, -x) : std::atan2(y, x), backward ? -length : length);
-}
-
 }  // namespace
 
 ModeCurves::ModeCurves(const Robot& robot, const SearchOptions& options, const MotionCost& cost, const ModeSet& modes)
   : robot_(robot),
+    limits_(robot),
     options_(options),
     cost_(cost),
     modes_(modes)
@@ -63,7 +55,7 @@ void ModeCurves::candidates(const Pose& from, const Situation& situation, const 
 void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double longest,
                                     std::vector<ModeCurve>& curves) const
 {
-  const double kappa = max_curvature(robot_, mode);
+  const double kappa = limits_[mode].curvature;
   ReedsSheppWords words;
   reeds_shepp_words(in_turning_radii(relative, mode, kappa), words);
   for (std::size_t w = 0; w < words.count; ++w)
@@ -75,39 +67,50 @@ void ModeCurves::append_reeds_shepp(const Pose& relative, Mode mode, double long
     {
       const ReedsSheppSegment& segment = word.segments[i];
       if (std::abs(segment.length) > kNoLength)
-        curve.append(mode, segment.turn * robot_.max_steering_angle, segment.length / kappa);
+        curve.append(mode, segment.turn * limits_[mode].phi, segment.length / kappa);
     }
   }
+}
+
+/// Appends the straight line to (x, y) in the body frame, with a wheel angle in [-pi/2, pi/2]. False if the wheels do not turn
+/// that far.
+bool ModeCurves::append_straight(double x, double y, ModeCurve& curve) const
+{
+  const double length = std::hypot(x, y);
+  if (length < kNoLength) return true;
+  const bool backward = x < 0.0;
+  const double phi = backward ? std::atan2(-y, -x) : std::atan2(y, x);
+  if (std::abs(phi) > limits_[kTranslation].phi) return false;
+  curve.append(kTranslation, phi, backward ? -length : length);
+  return true;
 }
 
 void ModeCurves::append_translation(const Pose& relative, std::vector<ModeCurve>& curves) const
 {
   if (std::abs(relative.theta) > kSameHeading) return;
   ModeCurve curve;
-  append_straight(relative.x, relative.y, curve);
-  curves.push_back(curve);
+  if (append_straight(relative.x, relative.y, curve)) curves.push_back(curve);
 }
 
 void ModeCurves::append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const
 {
   if (std::abs(relative.theta) <= kSameHeading) return;
-  const double kappa = max_curvature(robot_, turning);
+  const double kappa = limits_[turning].curvature;
   for (double direction : {1.0, -1.0})
   {
     // Forward, a turn to the left needs phi > 0; backward, phi < 0.
     const double length = direction * std::abs(relative.theta) / kappa;
-    const double phi = std::copysign(robot_.max_steering_angle, relative.theta * direction);
+    const double phi = std::copysign(limits_[turning].phi, relative.theta * direction);
     const Pose turned = advance(robot_, {}, turning, phi, length);
 
     ModeCurve turn_first;
     turn_first.append(turning, phi, length);
     const Pose rest = relative_to(turned, relative);
-    append_straight(rest.x, rest.y, turn_first);
-    curves.push_back(turn_first);
+    if (append_straight(rest.x, rest.y, turn_first)) curves.push_back(turn_first);
 
     ModeCurve turn_last;
     const Pose turn_begins = compose(relative, relative_to(turned, Pose{}));
-    append_straight(turn_begins.x, turn_begins.y, turn_last);
+    if (!append_straight(turn_begins.x, turn_begins.y, turn_last)) continue;
     turn_last.append(turning, phi, length);
     curves.push_back(turn_last);
   }
@@ -161,7 +164,7 @@ double ModeCurves::length_with_switches(const Pose& from, Mode mode, const Pose&
   for (Mode turning : kPlannedModes)
   {
     if (!may_turn_in(turning)) continue;
-    const double kappa = max_curvature(robot_, turning);
+    const double kappa = limits_[turning].curvature;
     const double length = reeds_shepp_length(in_turning_radii(relative, turning, kappa)) / kappa;
     least = std::min(least, length + (mode == turning ? 0.0 : change));
     if (!may_translate() || same_heading) continue;

@@ -8,6 +8,7 @@
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/search/search_options.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "motion_cost.h"
 
@@ -67,15 +68,17 @@ public:
 
 private:
   /// Whether curves may have arcs of a mode, and whether they may have straight lines in any direction.
-  bool may_turn_in(Mode mode) const { return modes_.contains(mode) && traits_of(mode).turns_with_phi(); }
+  bool may_turn_in(Mode mode) const { return modes_.contains(mode) && limits_[mode].curvature > 0.0; }
   bool may_translate() const { return modes_.contains(kTranslation); }
 
   void append_reeds_shepp(const Pose& relative, Mode mode, double longest, std::vector<ModeCurve>& curves) const;
+  bool append_straight(double x, double y, ModeCurve& curve) const;
   void append_translation(const Pose& relative, std::vector<ModeCurve>& curves) const;
   void append_turn_and_translate(const Pose& relative, Mode turning, std::vector<ModeCurve>& curves) const;
   double curve_cost(const ModeCurve& curve, const Situation& situation) const;
 
   const Robot& robot_;
+  const DriveLimits limits_;
   const SearchOptions& options_;
   const MotionCost& cost_;
   const ModeSet& modes_;

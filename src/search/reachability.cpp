@@ -1,99 +1,136 @@
 #include "reachability.h"
 
-#include <functional>
-#include <optional>
+#include <algorithm>
 #include <queue>
+#include <unordered_map>
 #include <vector>
 
-#include "free_headings.h"
+#include "pose_boxes.h"
 
 namespace fourwis
 {
 namespace
 {
 
-constexpr int kInterruptInterval = 128;  ///< cells flooded between two looks at the interrupt
-constexpr double kSquaresPerCell = 4.0;  ///< along a cell's side, squares told apart as places for the discs
+constexpr int kInterruptInterval = 256;  ///< boxes visited between two looks at the interrupt
+/// What a metre through a mixed box costs: a chain goes round by so much rather than through.
+constexpr double kMixedCost = 3.0;
+/// The proof is given up after so many visits of boxes, which take about a second.
+constexpr int kMostVisits = 1'000'000;
 
 bool is_over(const Interrupt& interrupt)
 {
   return interrupt.cancelled() || interrupt.timed_out();
 }
 
-/// One of the two floods; visits cells of least `guide` first.
-class Flood
+/// Looks for chains of boxes that are not blocked.
+class Chains
 {
 public:
-  Flood(FreeHeadings& free, const CoarseCells& cells, std::function<double(int)> guide)
-    : free_(free),
-      cells_(cells),
-      guide_(std::move(guide)),
-      reached_(cells.count(), 0)
+  Chains(PoseBoxes& boxes, const SearchProblem& problem, const GoalDistance& distance)
+    : boxes_(boxes),
+      problem_(problem),
+      distance_(distance)
   {}
 
-  void begin(const Pose& pose)
-  {
-    const WholeTurnSet here = WholeTurnSet{1} << whole_turn_bin(pose.theta);
-    reach(cells_.index(pose.x, pose.y), here | turned_by_one_bin(here));
-  }
+  bool gave_up() const { return gave_up_; }
 
-  bool exhausted() const { return queue_.empty(); }
-  WholeTurnSet reached(int cell) const { return reached_[static_cast<std::size_t>(cell)]; }
-
-  /// Continues the flood from one cell, which is returned.
-  int step()
+  /// The cheapest from start to goal, without an order; empty where there is none.
+  std::vector<PoseBox> cheapest()
   {
-    const int here = queue_.top().second;
-    queue_.pop();
-    const WholeTurnSet set = reached(here);
-    cells_.for_neighbours(here, [&](int next, bool) { reach(next, set & from_both_sides(free_[next])); });
-    return here;
+    visits_.clear();
+    queue_ = {};
+    const PoseBox start = boxes_.at(problem_.start), goal = boxes_.at(problem_.goal);
+    reach(start, start, 0.0);
+    while (!queue_.empty())
+    {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      Visit& visit = visits_[PoseBoxes::key(entry.box)];
+      if (visit.done) continue;
+      visit.done = true;
+      const double cost = visit.cost;
+      if (entry.box == goal) return chain(start, goal);
+      if (++count_ >= kMostVisits || (count_ % kInterruptInterval == 0 && is_over(problem_.interrupt)))
+      {
+        gave_up_ = true;
+        return {};
+      }
+      boxes_.neighbours(entry.box, neighbours_);
+      for (const PoseBox& next : neighbours_)
+      {
+        const PoseBoxes::State state = boxes_.state(next);
+        if (state == PoseBoxes::State::blocked && !(next == goal)) continue;
+        const double width = (boxes_.width(entry.box) + boxes_.width(next)) / 2.0;
+        reach(next, entry.box, cost + (state == PoseBoxes::State::mixed ? kMixedCost : 1.0) * width);
+      }
+    }
+    return {};
   }
 
 private:
-  /// Adds headings to a cell, and those the robot can turn to from them.
-  void reach(int cell, WholeTurnSet set)
+  struct Entry
   {
-    WholeTurnSet& known = reached_[static_cast<std::size_t>(cell)];
-    if ((set & ~known) == 0) return;
-    const WholeTurnSet free = from_both_sides(free_[cell]);
-    for (WholeTurnSet next = known | set; next != known; next |= turned_by_one_bin(next) & free) known = next;
-    queue_.push({guide_(cell), cell});
+    double f;
+    PoseBox box;
+    bool operator<(const Entry& other) const { return f > other.f; }
+  };
+  struct Visit
+  {
+    double cost = 0.0;
+    PoseBox from;
+    bool known = false, done = false;
+  };
+
+  void reach(const PoseBox& box, const PoseBox& from, double cost)
+  {
+    Visit& visit = visits_[PoseBoxes::key(box)];
+    if (visit.done || (visit.known && visit.cost <= cost)) return;
+    visit = {cost, from, true, false};
+    const Pose centre = boxes_.centre(box);
+    queue_.push({cost + distance_(centre.x, centre.y), box});
   }
 
-  FreeHeadings& free_;
-  const CoarseCells& cells_;
-  std::function<double(int)> guide_;
-  std::vector<WholeTurnSet> reached_;
-  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue_;
+  std::vector<PoseBox> chain(const PoseBox& start, PoseBox box)
+  {
+    std::vector<PoseBox> boxes = {box};
+    while (!(box == start))
+    {
+      box = visits_[PoseBoxes::key(box)].from;
+      boxes.push_back(box);
+    }
+    return boxes;
+  }
+
+  PoseBoxes& boxes_;
+  const SearchProblem& problem_;
+  const GoalDistance& distance_;
+  std::unordered_map<std::uint64_t, Visit> visits_;
+  std::priority_queue<Entry> queue_;
+  std::vector<PoseBox> neighbours_;
+  int count_ = 0;
+  bool gave_up_ = false;
 };
 
 }  // namespace
 
-bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double cell_size, Proof proof)
+bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance)
 {
-  const CollisionChecker& checker = problem.checker;
-  const Interrupt& interrupt = problem.interrupt;
-  const CoarseCells cells(checker.map(), cell_size);
-  std::optional<DiscPlaces> places;
-  if (proof == Proof::sharp)
-    places.emplace(checker.map(), checker.least_clearance(), cell_size / kSquaresPerCell, interrupt);
-  FreeHeadings free(checker, cells, places ? &*places : nullptr);
-  Flood from_start(free, cells, [&](int cell) {
-    const Pose centre = cells.centre(cell);
-    return distance(centre.x, centre.y);
-  });
-  Flood from_goal(free, cells, [&](int cell) { return fourwis::distance(cells.centre(cell), problem.start); });
-  from_start.begin(problem.start);
-  from_goal.begin(problem.goal);
-  for (int steps = 1; !from_start.exhausted() && !from_goal.exhausted(); ++steps)
+  PoseBoxes boxes(problem.checker);
+  Chains chains(boxes, problem, distance);
+  for (;;)
   {
-    const int a = from_start.step(), b = from_goal.step();
-    if (from_start.reached(a) & from_goal.reached(a)) return true;
-    if (from_start.reached(b) & from_goal.reached(b)) return true;
-    if (steps % kInterruptInterval == 0 && is_over(interrupt)) return true;
+    const std::vector<PoseBox> chain = chains.cheapest();
+    if (chain.empty()) return chains.gave_up();
+    bool finer = false;
+    for (const PoseBox& box : chain)
+    {
+      if (boxes.state(box) == PoseBoxes::State::free || box.level + 1 == PoseBoxes::kLevels) continue;
+      boxes.split(box);
+      finer = true;
+    }
+    if (!finer) return true;
   }
-  return is_over(interrupt);  // then the places are not complete
 }
 
 }  // namespace fourwis

@@ -6,17 +6,12 @@
 namespace fourwis
 {
 
-/// How a cell is found to hold no pose at which the robot is free.
-enum class Proof
-{
-  quick,  ///< by the clearance at its centre: does not notice a gap that is too narrow by less than the cell's size
-  sharp   ///< by the places where the discs may be: notices some millimetres, but looks at all of the map first
-};
-
-/// Whether a robot of the two-disc model might get from start to goal if it could move in any direction and turn in
-/// place. False is a proof that no plan exists. True is no proof that one exists, because a cell counts as free if any
-/// pose in it may be free. Floods (x, y, theta) from both ends until they meet or one flood is exhausted, so the
-/// smaller side determines the cost. True if interrupted.
-bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double cell_size, Proof proof);
+/// Whether the body may get from start to goal if it can move in any direction and turn in place. False is a proof that no plan
+/// exists for the checker's body, with its margin. True if interrupted, or if the proof would take too long.
+///
+/// The space of poses is covered by boxes of (x, y, theta). Each is free, blocked or mixed: the body is free at all of its poses,
+/// at none, or one cannot tell. The cheapest chain of boxes from start to goal that are not blocked is looked for again and
+/// again. The mixed boxes on it are halved in all directions each time, until it is free or there is none.
+bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance);
 
 }  // namespace fourwis

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
+#include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
+#include "directed_search.h"
 #include "mode_curves.h"
 #include "motion_cost.h"
 #include "reachability.h"
@@ -15,24 +16,21 @@ namespace fourwis
 namespace
 {
 
-/// Beyond the first way to the start, distances to the goal are known this much further [m].
-constexpr double kFieldSlack = 4.0;
-/// Cells of the floods over (x, y, theta) [m], and how many there may be: 64 bytes each.
-constexpr double kFloodCell = 0.05;
-constexpr double kMostFloodCells = 1e6;
-/// The quick search gets this many expansions before the thorough one takes over.
+/// The quick search gets this many expansions in each direction before the thorough one takes over.
 constexpr int kQuickExpansions = 2000;
-/// How often the thorough search halves step and cell, each time it has seen everything at the resolution before.
+/// How often the thorough search halves step and cell, and how many expansions it gets in each direction before it does so:
+/// twice as many each time.
 constexpr int kMostHalvings = 4;
+constexpr int kFirstExpansions = 5000;
 
 /// A pass of shortcuts that gains less than this share of the cost is the last.
 constexpr double kLeastShortcutGain = 0.01;
 
 /// Half the cell and half the step, with the same cost of each metre.
-SearchOptions finer(SearchOptions options)
+SearchOptions finer(SearchOptions options, const Robot& robot)
 {
-  options.step_time /= 2.0;
-  options.xy_resolution /= 2.0;
+  options.step_time = options.primitive_length(robot) / options.v_ref(robot) / 2.0;
+  options.xy_resolution = options.cell_size(robot) / 2.0;
   options.heading_resolution /= 2.0;
   options.reverse_penalty /= 2.0;
   options.lateral_reverse_penalty /= 2.0;
@@ -41,10 +39,18 @@ SearchOptions finer(SearchOptions options)
   return options;
 }
 
-double flood_cell(const ObstacleMap& map)
+/// The same path in the other direction.
+Path reversed(Path path, const Robot& robot)
 {
-  const double area = map.width() * map.resolution() * map.height() * map.resolution();
-  return std::max(kFloodCell, std::sqrt(area / kMostFloodCells));
+  const Pose start = path.pieces.empty() ? path.goal : path.pieces.front().start;
+  for (PathPiece& piece : path.pieces)
+  {
+    piece.start = advance(robot, piece.start, piece.mode, piece.phi, piece.length);
+    piece.length = -piece.length;
+  }
+  std::reverse(path.pieces.begin(), path.pieces.end());
+  path.goal = start;
+  return path;
 }
 
 SearchResult failed(PlanStatus status)
@@ -63,62 +69,73 @@ bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
 
 Search::Search(const SearchProblem& problem)
   : problem_(problem),
-    distance_(problem_, kFieldSlack),
-    may_be_reachable_(distance_.reaches_start() &&
-                      may_be_reachable(problem_, distance_, flood_cell(problem_.checker.map()), Proof::quick))
+    forward_(std::make_unique<DirectedSearch>(problem))
 {}
+
+Search::~Search() = default;
 
 SearchResult Search::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
                           std::vector<Pose>* expanded) const
 {
   if (problem_.interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (problem_.interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (!may_be_reachable_ || !may_turn(problem_.start, problem_.goal, modes))
+  if (!forward_->distance().reaches_start() || !may_turn(problem_.start, problem_.goal, modes))
     return failed(PlanStatus::goal_unreachable);
 
-  SearchOptions quick = options;
-  quick.max_expansions = std::min(options.max_expansions, kQuickExpansions);
-  const auto around = [&](const Pose& pose) { return distance_(pose.x, pose.y); };
-  SearchResult found = hybrid_astar(problem_, quick, modes, around, expanded);
-  if (found.status == PlanStatus::no_path && effort == Effort::thorough)
-  {
-    SearchOptions rest = options;
-    rest.max_expansions -= found.expansions;
-    const int expansions = found.expansions;
-    found = find_thoroughly(rest, modes, expanded);
-    found.expansions += expansions;
-  }
+  SearchResult found = effort == Effort::thorough ? find_thoroughly(options, modes, expanded)
+                                                  : find_quickly(options, modes, effort, expanded);
   if (found.status == PlanStatus::succeeded && options.terminal_connection)
     found.path = shortened(options, modes, std::move(found.path));
   return found;
 }
 
-/// A sharper proof than the one before the quick search. If there is none, the result guides the thorough search.
-void Search::look_closer() const
+/// From the goal to the start. Out of a narrow place is easier to find than into it.
+const DirectedSearch& Search::backward() const
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (proven_unreachable_ || holonomic_distance_) return;
-  const double cell = flood_cell(problem_.checker.map());
-  proven_unreachable_ = !may_be_reachable(problem_, distance_, cell, Proof::sharp);
-  if (!proven_unreachable_) holonomic_distance_ = std::make_unique<HolonomicDistance>(problem_, cell, kFieldSlack);
+  std::call_once(once_, [&] {
+    backward_ = std::make_unique<DirectedSearch>(
+        SearchProblem{problem_.checker, problem_.goal, problem_.start, problem_.interrupt});
+  });
+  return *backward_;
 }
 
-SearchResult Search::find_thoroughly(const SearchOptions& options, const ModeSet& modes,
-                                     std::vector<Pose>* expanded) const
+SearchResult Search::find_quickly(SearchOptions options, const ModeSet& modes, Effort effort,
+                                  std::vector<Pose>* expanded) const
 {
-  look_closer();
-  if (problem_.interrupt.cancelled()) return failed(PlanStatus::cancelled);
-  if (problem_.interrupt.timed_out()) return failed(PlanStatus::timeout);
-  if (proven_unreachable_ || !holonomic_distance_->reaches_start()) return failed(PlanStatus::goal_unreachable);
-  SearchOptions halved = options;
+  options.max_expansions = std::min(options.max_expansions, kQuickExpansions);
+  SearchResult found = forward_->quick(options, modes, expanded);
+  if (found.status != PlanStatus::no_path || effort == Effort::quick || !options.terminal_connection) return found;
+  const int expansions = found.expansions;
+  found = backward().quick(options, modes, nullptr);
+  found.expansions += expansions;
+  if (found.status == PlanStatus::succeeded) found.path = reversed(std::move(found.path), problem_.checker.robot());
+  return found;
+}
+
+/// Where even a body that turns in place finds no way between the points of a lattice, a proof that there is none.
+bool Search::is_proven_unreachable() const
+{
+  return !forward_->holonomic_distance().reaches_start() && !may_be_reachable(problem_, forward_->distance());
+}
+
+SearchResult Search::find_thoroughly(SearchOptions options, const ModeSet& modes, std::vector<Pose>* expanded) const
+{
+  if (is_proven_unreachable()) return failed(PlanStatus::goal_unreachable);
   SearchResult found = failed(PlanStatus::no_path);
-  for (int k = 0; k < kMostHalvings && found.status == PlanStatus::no_path && halved.max_expansions > 0; ++k)
+  int left = options.max_expansions, share = kFirstExpansions, expansions = 0;
+  for (int k = 0; k < kMostHalvings; ++k, share *= 2)
   {
-    halved = finer(halved);
-    const int before = found.expansions;
-    found = hybrid_astar(problem_, halved, modes, std::cref(*holonomic_distance_), expanded);
-    halved.max_expansions -= found.expansions;
-    found.expansions += before;
+    options = finer(options, problem_.checker.robot());
+    for (const bool forward : {true, false})
+    {
+      options.max_expansions = std::min(share, left - expansions);
+      if (options.max_expansions <= 0 || (!forward && !options.terminal_connection)) continue;
+      found = forward ? forward_->guided(options, modes, expanded) : backward().guided(options, modes, nullptr);
+      found.expansions = expansions += found.expansions;
+      if (found.status == PlanStatus::succeeded && !forward)
+        found.path = reversed(std::move(found.path), problem_.checker.robot());
+      if (found.status != PlanStatus::no_path) return found;
+    }
   }
   return found;
 }

@@ -71,7 +71,7 @@ std::vector<std::string> row(const Variant& variant, const Setup& setup, const O
   if (outcome.found.status == PlanStatus::succeeded)
   {
     const Referee referee(grid, setup.options.obstacles, setup.robot, setup.options.referee);
-    const Trajectory trajectory = stop_and_steer(path, setup.robot, options.reference_speed);
+    const Trajectory trajectory = stop_and_steer(path, setup.robot);
     cells = {referee.judge(request.start, path.goal, trajectory).accepted() ? "yes" : "no",
              fixed(equivalent_length(path, setup), 3),
              std::to_string(path.switches()),

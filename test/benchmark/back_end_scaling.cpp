@@ -35,14 +35,14 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
   ThreadBudget threads;
   const Search search({checker, problem.start, problem.goal});
   const Candidates found =
-      find_candidates(search, variants_by_time(world.robot, setup.options.search, setup.modes), threads);
-  if (found.paths.empty()) return sample;
-  sample.length = found.paths.front().length();
+      find_candidates(search, variants_by_time(world.robot, setup.options.search, setup.modes), Effort::thorough, threads);
+  if (found.candidates.empty()) return sample;
+  sample.length = found.candidates.front().path.length();
   for (int run = 0; run < setup.runs; ++run)
   {
     const double begin = cpu_ms();
     const BackEnd back_end({world, setup.options, checker, {}, threads});
-    sample.refinement = back_end.refine(found.paths.front());
+    sample.refinement = back_end.refine(found.candidates.front().path);
     sample.cpu_ms.push_back(cpu_ms() - begin);
     Refinement polished = sample.refinement;
     const double between = cpu_ms();

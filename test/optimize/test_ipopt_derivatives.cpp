@@ -98,9 +98,9 @@ TEST(IpoptDerivatives, OfASegmentsProblemMeetDifferences)
     SCOPED_TRACE(to_string(mode));
     const Segment segment = {mode, {{0, 0, 0.2}, {0.2, 0, 0.1}, {0.4, 0, 0.3}}, {0.1, 0.2}, {0.2, 0.2}};
     const Corridor corridor = {{{0.25, 0.1}, {square, square}}, {{-0.25, -0.2}, {square, square}}};
-    const MotionLimits limits(robot, mode, 1.0);
-    const SegmentProblem problem = segment_problem({segment, corridor}, robot, OptimizeOptions(), limits);
-    const OcpNlp<SegmentModel> program(problem.model, problem.numbers, reference_guess(segment, limits, 0.2));
+    const MotionLimits limits(robot, mode);
+    const auto problem = segment_problem<WheelSpeedRows>({segment, corridor}, robot, OptimizeOptions(), limits, 1.0);
+    const OcpNlp<SegmentModel<WheelSpeedRows>> program(problem.model, problem.numbers, reference_guess(segment, limits, {0.2, 0.2}));
     expect_exact_derivatives(program.nlp(), 8, 7);
   }
 }

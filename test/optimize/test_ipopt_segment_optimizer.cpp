@@ -61,7 +61,7 @@ struct IpoptSegmentOptimizerTest : testing::Test
       const ModeSet modes = all_mode_sets()[static_cast<std::size_t>(k) % 7];
       const PlanRequest request = {free_pose(random, site.checker), free_pose(random, site.checker), modes};
       const Path path = Search({site.checker, request.start, request.goal}).find(search, modes).path;
-      for (const Segment& segment : split_at_switches(path, robot, options.spacing))
+      for (const Segment& segment : split_at_switches(path, robot, options.knot_spacing(robot)))
       {
         const PolytopeCorridor corridor =
             polytope_corridor(ObstacleRectangles(site.map), disc_cover(robot, 2), {}, segment.knots);
@@ -73,9 +73,9 @@ struct IpoptSegmentOptimizerTest : testing::Test
   /// Duration of what Ipopt finds from another solver's points.
   double improved_duration(const Segment& segment, const Corridor& corridor, const Trajectory& points) const
   {
-    const MotionLimits limits(robot, segment.mode, kSpeed);
-    const SegmentProblem problem = segment_problem({segment, corridor}, robot, options, limits);
-    const OcpNlp<SegmentModel> program(problem.model, problem.numbers, guess_from(points));
+    const MotionLimits limits(robot, segment.mode);
+    const auto problem = segment_problem<WheelSpeedRows>({segment, corridor}, robot, options, limits, kSpeed);
+    const OcpNlp<SegmentModel<WheelSpeedRows>> program(problem.model, problem.numbers, guess_from(points));
     IpoptOptions nearby;
     nearby.tolerance = kTolerance;
     nearby.initial_barrier = nearby.bound_distance = 1e-6;

@@ -1,33 +1,31 @@
 #pragma once
 
-#include <optional>
+#include <cmath>
 #include <vector>
 
 #include "fourwis_navigation/map/obstacle_map.h"
 #include "fourwis_navigation/model/path.h"
 #include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/vehicle/body.h"
 #include "fourwis_navigation/vehicle/footprint.h"
 
 namespace fourwis
 {
 
 /// Is a pose or a motion of the robot free of collisions? Two-disc model, paper eq. (10), on the exact distance; for places
-/// where two discs do not fit, many small ones in their place.
+/// where two discs do not fit, the body itself.
 class CollisionChecker
 {
 public:
   /// Keeps references: both must outlive the checker. Throws as check(robot) does.
   CollisionChecker(const ObstacleMap& map, const Robot& robot);
 
-  /// The same, but free is as well where the snug cover keeps the safety margin or, within a metre of a pose in `tight`, as
-  /// much of it as it has there.
+  /// The same, but free is as well where the body keeps the safety margin on each side or, near a pose in `tight`, as much of
+  /// it as it has there. The body must be clear at these poses.
   CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight);
 
-  /// Whether both disc centres are at least r_c away from every obstacle, or the snug cover is clear.
+  /// Whether both disc centres are at least r_c away from every obstacle, or the body is clear.
   bool is_free(const Pose& pose) const;
-
-  /// By how much the discs are farther from obstacles than they have to be [m]; negative at a pose that is not free.
-  double clearance(const Pose& pose) const;
 
   /// How much of a piece can be driven [m], in 0..|length|: along it, checked poses are free and lie so close together
   /// that no disc centre moves more than half of `stride()` between a pose in between and a checked one. With a safety
@@ -48,34 +46,47 @@ public:
   /// Two discs whose centres keep `radius` at every pose found free.
   const TwoDiscs& discs() const { return needed_; }
 
-  /// The small discs, without margin; none for a checker that goes by two discs alone.
-  const std::optional<DiscCover>& snug() const { return snug_; }
+  /// Whether the body itself may show a pose to be free.
+  bool goes_by_body() const { return goes_by_body_; }
 
-private:
-  /// A place where the snug cover comes closer to obstacles than the safety margin.
+  /// A place around which the body keeps less than the safety margin.
   struct TightSpot
   {
     double x, y;
-    double margin;  ///< it keeps there [m]
+    double margin;             ///< it keeps there [m]
+    ConvexPolygon with_margin;  ///< the body, grown by that
+
+    bool is_near(double px, double py) const { return std::hypot(px - x, py - y) < kRadius; }
+    static constexpr double kRadius = 1.0;  ///< [m]
+  };
+  const std::vector<TightSpot>& tight_spots() const { return tight_; }
+
+  /// The body with the margin that it keeps where no tight spot is near.
+  const ConvexPolygon& body_with_margin() const { return with_margin_; }
+
+private:
+  /// The body with its margin, grown.
+  struct LargerBody
+  {
+    double by;  ///< [m]
+    ConvexPolygon outline;
   };
 
-  double margin_at(double x, double y) const;
+  double room(double x, double y, double cosine, double sine, std::size_t& step) const;
+  const ConvexPolygon& with_margin_at(double x, double y) const;
   bool is_free(double x, double y, double cosine, double sine, double& clearance) const;
   bool are_clear(const TwoDiscs& discs, double x, double y, double cosine, double sine, double& clearance) const;
-  bool is_snug_free(double x, double y, double cosine, double sine, double& clearance) const;
 
   const ObstacleMap& map_;
   const Robot& robot_;
   TwoDiscs discs_, needed_;
-  std::optional<DiscCover> snug_;
-  std::vector<Point2> rim_;  ///< centres of those discs of the snug cover that the inscribed two do not contain
+  bool goes_by_body_ = false;
+  ConvexPolygon with_margin_;
+  std::vector<LargerBody> larger_;
   std::vector<TightSpot> tight_;
   double stride_;
   double reach_;  ///< of the disc centre farthest from C, the centre of the wheels [m]
   double least_clearance_;
 };
-
-/// Least distance of the discs to obstacles at a pose [m]; negative in collision.
-double clearance(const ObstacleMap& map, const DiscCover& discs, const Pose& pose);
 
 }  // namespace fourwis

@@ -51,6 +51,18 @@ constexpr std::size_t index_of(Mode mode)
   return is_mode(mode) ? static_cast<std::size_t>(mode) : 0;
 }
 
+/// A value for each mode.
+template <class Value>
+class PerMode
+{
+public:
+  Value& operator[](Mode mode) { return values_[index_of(mode)]; }
+  const Value& operator[](Mode mode) const { return values_[index_of(mode)]; }
+
+private:
+  std::array<Value, kModeCount> values_{};
+};
+
 /// Whether a table whose rows have a `mode` has those of all modes, in the order of their numbers.
 template <class Row, std::size_t count>
 constexpr bool has_a_row_for_each_mode(const Row (&rows)[count])
@@ -110,6 +122,13 @@ public:
     return Mode::none;
   }
 
+  /// The modes in both sets.
+  friend constexpr ModeSet operator&(const ModeSet& a, const ModeSet& b)
+  {
+    ModeSet both = none();
+    both.bits_ = a.bits_ & b.bits_;
+    return both;
+  }
   friend constexpr bool operator==(const ModeSet& a, const ModeSet& b) { return a.bits_ == b.bits_; }
   friend constexpr bool operator!=(const ModeSet& a, const ModeSet& b) { return !(a == b); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -16,6 +17,7 @@ namespace fourwis
 //   static void describe(Self& o, Row& row)
 //   {
 //     row("speed", o.speed, 0.01, 20.0, "m/s");           // a number: key, member, least, greatest, unit
+//     row("step", o.step, 0.1, 5.0, "m", "half the length");  // a std::optional<double>, and what it is where it is not set
 //     row("knots", o.knots, 2, 200);                      // whole, as the member is
 //     row("connect", o.connect);                          // true or false
 //     row("solver", o.solver, OneOf{"fast", "exact"});    // a text (option_text.h)
@@ -41,6 +43,12 @@ public:
     const OptionRange range{least, greatest, unit, std::is_integral_v<Number>};
     const double number = static_cast<double>(value);
     if (!range.contains(number)) require_in(range, name_of(key), number);
+  }
+
+  void operator()(std::string_view key, const std::optional<double>& value, double least, double greatest,
+                  const char* unit, const char*) const
+  {
+    if (value) (*this)(key, *value, least, greatest, unit);
   }
 
   template <class Value, class Text>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,16 @@ struct Robot
   double wheel_max_rate = M_PI;               ///< steering rate of each wheel about its own axis [rad/s]
   double wheel_max_speed = 2.0;               ///< rolling speed of each wheel [m/s]
   double safety_margin = 0.02;                ///< r_safe, added to the two discs that cover the body [m]
+
+  /// The longer side of the body [m].
+  double size() const { return std::max(length, width); }
+
+  /// What the lengths of motions are in proportion to: the diameter of the tightest turn of a car, between half the size and the
+  /// size [m].
+  double motion_size() const
+  {
+    return std::clamp(0.85 * wheelbase / std::tan(max_steering_angle), 0.5 * size(), size());
+  }
 
   /// The table of the options; see option_check.h.
   template <class Self, class Row>

@@ -13,6 +13,8 @@
 namespace fourwis
 {
 
+class MotionLimits;
+
 /// What is to be solved.
 struct SegmentTask
 {
@@ -53,6 +55,10 @@ public:
   SegmentSolution solve(const SegmentTask& task, double tolerance, const Interrupt& interrupt) const;
 
 private:
+  template <class WheelSpeeds>
+  SegmentSolution solve_with(const SegmentTask& task, const MotionLimits& limits, double tolerance,
+                             const Interrupt& interrupt) const;
+
   const Robot& robot_;
   const OptimizeOptions& options_;
   double reference_speed_;

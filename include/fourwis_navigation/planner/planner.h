@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "fourwis_navigation/corridor/obstacle_rectangles.h"
@@ -54,13 +55,17 @@ struct PlanTrace
 };
 
 /// A grid and a robot, with everything that is computed from them once. Immutable; share it between plans and threads.
+/// Obstacles, rectangles and referee are in the frame of the grid: its origin is taken off.
 struct World
 {
   World(const OccupancyGrid& grid, const Robot& robot,
         const PlannerOptions& options);  ///< throws as the checks of all three do
 
+  /// Referee::first_violation_from() for a trajectory in the map frame.
+  std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
+
   Robot robot;
-  OccupancyGrid grid;
+  OccupancyGrid grid;  ///< as it was given
   ObstacleMap obstacles;
   ObstacleRectangles rectangles;
   Referee referee;

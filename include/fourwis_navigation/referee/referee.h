@@ -26,6 +26,7 @@ struct RefereeOptions
   double rollout_angle = 0.01;       ///< and this [rad]
   double endpoint_position = 0.001;  ///< start and goal are met within this [m]
   double endpoint_angle = 0.001;     ///< and this [rad]
+  double start_tolerance = 0.03;     ///< greatest depth by which the body may overlap obstacles at the start [m]
   double limit_tolerance = 1e-6;     ///< relative excess of a limit that still counts as rounding
 
   /// The table of the options; see model/option_check.h. The fixed rows are part of the meaning of a trajectory, so
@@ -34,6 +35,7 @@ struct RefereeOptions
   static void describe(Self& o, Row& row)
   {
     row("collision_step", o.collision_step, 0.0005, 0.01, "m");
+    row("start_tolerance", o.start_tolerance, 0.0, 0.5, "m");
     row.fixed("rollout_position", o.rollout_position, 0.0, 1.0, "m");
     row.fixed("rollout_angle", o.rollout_angle, 0.0, 1.0, "rad");
     row.fixed("endpoint_position", o.endpoint_position, 0.0, 1.0, "m");
@@ -83,7 +85,9 @@ struct Verdict
 ///  6. each wheel keeps its rate and speed, and within each stretch without rest some branch (angle + k pi) of its
 ///     angle stays within its travel. At rest a wheel may turn the shorter way, modulo pi, that its travel allows;
 ///  7. the interior of the body's rectangle meets no obstacle cell and does not leave the grid. Touching is allowed,
-///     and an overlap of 1e-9 m still counts as touching;
+///     and an overlap of 1e-9 m still counts as touching. Where the body overlaps at the start by no more than
+///     start_tolerance, it may go on as long as it never gets deeper, until it is free. The depth is by how much each side of
+///     the body has to be moved inward for that;
 ///  8. it is not longer than anything sensible (20 km).
 class Referee
 {
@@ -96,7 +100,7 @@ public:
   Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
 
   /// The first rule about the motion (3. and 7.) that is broken at time t [s] or later, for a trajectory that was accepted
-  /// on another grid: where the body would meet what has been added since.
+  /// on another grid: where the body would meet what has been added since. No overlap is tolerated.
   std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,15 @@ public:
 
   /// Centre of a cell in the map frame.
   Pose centre(int index) const;
+
+  /// Calls visit(cell) for a cell and those up to `reach` rows and columns away.
+  template <typename Visit>
+  void for_square(int index, int reach, Visit visit) const
+  {
+    const int column = index % width_, row = index / width_;
+    for (int j = std::max(0, row - reach); j <= std::min(height_ - 1, row + reach); ++j)
+      for (int i = std::max(0, column - reach); i <= std::min(width_ - 1, column + reach); ++i) visit(j * width_ + i);
+  }
 
   /// Calls visit(neighbour, is_diagonal) for the up to eight neighbours of a cell.
   template <typename Visit>

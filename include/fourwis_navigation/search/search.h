@@ -4,8 +4,6 @@
 #include <mutex>
 #include <vector>
 
-#include "fourwis_navigation/search/goal_distance.h"
-#include "fourwis_navigation/search/holonomic_distance.h"
 #include "fourwis_navigation/search/hybrid_astar.h"
 #include "fourwis_navigation/search/search_problem.h"
 
@@ -15,9 +13,12 @@ namespace fourwis
 /// How hard a search tries.
 enum class Effort
 {
-  quick,    ///< a coarse search of a few thousand expansions
-  thorough  ///< where that fails, a finer one guided by the headings at which the robot fits
+  quick,      ///< a coarse search of a few thousand expansions
+  both_ways,  ///< another one from the goal to the start where that finds nothing
+  thorough  ///< a finer one, guided by the headings at which the body fits, after a proof of unreachability was tried
 };
+
+class DirectedSearch;
 
 /// The front end, the paper's section III-A, for one start and goal. The distance to the goal and the proof of
 /// unreachability are computed once. Then any number of searches with different modes and costs may be made, also at
@@ -26,6 +27,7 @@ class Search
 {
 public:
   explicit Search(const SearchProblem& problem);
+  ~Search();
 
   /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null. Options as hybrid_astar()
   /// takes them.
@@ -33,16 +35,17 @@ public:
                     std::vector<Pose>* expanded = nullptr) const;
 
 private:
-  void look_closer() const;
-  SearchResult find_thoroughly(const SearchOptions& options, const ModeSet& modes, std::vector<Pose>* expanded) const;
+  const DirectedSearch& backward() const;
+  bool is_proven_unreachable() const;
+  SearchResult find_quickly(SearchOptions options, const ModeSet& modes, Effort effort,
+                            std::vector<Pose>* expanded) const;
+  SearchResult find_thoroughly(SearchOptions options, const ModeSet& modes, std::vector<Pose>* expanded) const;
   Path shortened(const SearchOptions& options, const ModeSet& modes, Path path) const;
 
   const SearchProblem problem_;
-  const GoalDistance distance_;
-  const bool may_be_reachable_;
-  mutable std::mutex mutex_;  ///< guards the members below, which are computed when first needed
-  mutable bool proven_unreachable_ = false;
-  mutable std::unique_ptr<const HolonomicDistance> holonomic_distance_;
+  const std::unique_ptr<const DirectedSearch> forward_;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const DirectedSearch> backward_;
 };
 
 /// Whether the modes can bring the robot to the goal's heading: parallel motion alone does not turn.
