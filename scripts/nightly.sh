@@ -61,8 +61,8 @@ part_sanitize()
 part_threads()
 {
   local build=$root/build_tsan
-  local tests='planner_planner|ros_map_store|can_bus_[a-z_]+|drives_bridge_(thread|load)'
-  local targets=(planner_planner ros_map_store drives_bridge_thread drives_bridge_load)
+  local tests='planner_planner(_refusals)?|ros_map_store|can_bus_[a-z_]+|drives_bridge_(thread|load)'
+  local targets=(planner_planner planner_planner_refusals ros_map_store drives_bridge_thread drives_bridge_load)
   targets+=($(cd "$root/test/can/bus" && ls test_*.cpp | sed 's/^test_\(.*\)\.cpp$/can_bus_\1/'))
   instrumented "$build" thread -DCATKIN_ENABLE_TESTING=ON -- "${targets[@]}" &&
     run_tests "$build" --tests-regex "($tests)\$"

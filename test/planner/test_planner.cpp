@@ -1,13 +1,7 @@
-#include "fourwis_navigation/planner/planner.h"
+// What the planner plans, and what it tells of it.
 
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <stdexcept>
-
-#include "../support/grids.h"
 #include "../support/path_laws.h"
-#include "planner/back_end.h"
+#include "planner_fixture.h"
 
 namespace fourwis
 {
@@ -16,16 +10,8 @@ namespace
 
 constexpr unsigned kSeed = 15;
 
-struct PlannerTest : testing::Test
+struct PlannerTest : PlannerFixture
 {
-  PlannerTest() { options.search.max_expansions = 3000; }
-
-  PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
-                  PlanTrace* trace = nullptr) const
-  {
-    return Planner(options).plan(world, request, interrupt, trace);
-  }
-
   /// Visits requests among clutter in all sets of modes, every other one for the front end alone, with what the planner
   /// answers.
   template <typename Visit>
@@ -50,25 +36,6 @@ struct PlannerTest : testing::Test
       if (HasFatalFailure()) return;
     }
   }
-
-  /// A plan across an empty hall with something changed.
-  PlanResult plan_in_hall(const Pose& start, const Pose& goal, const ModeSet& modes = {},
-                          const Interrupt& interrupt = {}, bool frontend_only = false) const
-  {
-    return plan(World(free_area(8.0, 6.0, 0.1), robot, options), {start, goal, modes, frontend_only}, interrupt);
-  }
-
-  static void expect_refused(const PlanResult& result, PlanStatus status)
-  {
-    EXPECT_STREQ(to_string(result.status), to_string(status));
-    EXPECT_FALSE(result.message.empty());
-    EXPECT_TRUE(result.trajectory.empty());
-    EXPECT_FALSE(result.metrics.safe);
-  }
-
-  const Robot robot;
-  PlannerOptions options;
-  const Pose here = {2.0, 3.0, 0.3}, there = {6.0, 3.0, -2.0};
 };
 
 TEST_F(PlannerTest, SucceedsWithTrajectoriesThatAnyRefereeAccepts)
@@ -173,58 +140,6 @@ TEST_F(PlannerTest, CountsFullTurnsOfStartAndGoalForNothing)
   EXPECT_EQ(parallel.status, PlanStatus::succeeded) << parallel.message;
 }
 
-TEST_F(PlannerTest, RefusesNumbersThatAreNone)
-{
-  for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
-    for (const Pose& pose : {Pose{bad, 3.0, 0.0}, Pose{2.0, bad, 0.0}, Pose{2.0, 3.0, bad}})
-    {
-      expect_refused(plan_in_hall(pose, there), PlanStatus::invalid_input);
-      expect_refused(plan_in_hall(here, pose), PlanStatus::invalid_input);
-    }
-}
-
-TEST_F(PlannerTest, RefusesToPlanInNoMode)
-{
-  expect_refused(plan_in_hall(here, there, ModeSet::none()), PlanStatus::invalid_input);
-}
-
-TEST_F(PlannerTest, RefusesStartsAndGoalsOffTheMap)
-{
-  for (const Pose& off :
-       {Pose{-5.0, 3.0, 0.0}, Pose{2.0, 6.5, 0.0}, Pose{1e9, 1e9, 0.0}, Pose{1e300, -1e300, 0.0}, Pose{0.1, 3.0, 0.0}})
-  {
-    expect_refused(plan_in_hall(off, there), PlanStatus::start_in_collision);
-    expect_refused(plan_in_hall(here, off), PlanStatus::goal_in_collision);
-  }
-}
-
-TEST_F(PlannerTest, RefusesStartsAndGoalsInObstacles)
-{
-  OccupancyGrid grid = free_area(8.0, 6.0, 0.1);
-  occupy_block(grid, 58, 28, 3, 3);
-  const World world(grid, robot, options);
-  expect_refused(plan(world, {there, here, {}}), PlanStatus::start_in_collision);
-  expect_refused(plan(world, {here, there, {}}), PlanStatus::goal_in_collision);
-}
-
-TEST_F(PlannerTest, TakesUnknownCellsForObstaclesUnlessToldOtherwise)
-{
-  OccupancyGrid grid = free_area(8.0, 6.0, 0.1);
-  for (int row = 0; row < 60; ++row) cell(grid, 40, row) = -1;
-  expect_refused(plan(World(grid, robot, options), {here, there, {}}), PlanStatus::goal_unreachable);
-  options.obstacles.unknown_is_obstacle = false;
-  EXPECT_EQ(plan(World(grid, robot, options), {here, there, {}}).status, PlanStatus::succeeded);
-}
-
-TEST_F(PlannerTest, RefusesAGoalThatIsWalledIn)
-{
-  OccupancyGrid grid = free_area(8.0, 6.0, 0.05);
-  wall_in(grid, 90, 30, 60, 60);
-  const World world(grid, robot, options);
-  expect_refused(plan(world, {here, there, {}}), PlanStatus::goal_unreachable);
-  expect_refused(plan(world, {there, here, {}}), PlanStatus::goal_unreachable);
-}
-
 TEST_F(PlannerTest, StaysWhereItIsWhenTheGoalIsThere)
 {
   for (const ModeSet& modes : all_mode_sets())
@@ -254,58 +169,6 @@ TEST_F(PlannerTest, ReachesGoalsNextToTheStart)
       }
 }
 
-TEST_F(PlannerTest, TimesOutWhenItsPatienceIsOver)
-{
-  // A flood of the whole hall, tens of milliseconds.
-  options.planner_patience = 0.001;
-  options.search.terminal_connection = false;
-  options.search.heuristic_weight = 0.0;
-  options.search.max_expansions = 1000000;
-  expect_refused(plan_in_hall(here, there), PlanStatus::timeout);
-}
-
-TEST_F(PlannerTest, TimesOutAtTheCallersDeadline)
-{
-  expect_refused(plan_in_hall(here, there, {}, Interrupt(nullptr, Interrupt::Clock::now())), PlanStatus::timeout);
-}
-
-TEST_F(PlannerTest, AnswersWithTheBestItHasWhenItsPatienceIsOver)
-{
-  Random random(kSeed);
-  const World world(clutter(random, 12.0, 0.05, 14), robot, options);
-  const CollisionChecker checker(world.obstacles, robot);
-  PlanRequest request;
-  PlanResult full;
-  while (full.status != PlanStatus::succeeded)
-  {
-    request = {free_pose(random, checker), free_pose(random, checker), {}};
-    full = plan(world, request);
-  }
-  // Wherever the deadline falls: in the search, in some round of some candidate, or after all of it.
-  for (double patience = 1e-4; patience < 1.0; patience *= 1.1)
-  {
-    const PlanResult result = plan(world, request, Interrupt().or_after(patience));
-    if (result.status == PlanStatus::timeout)
-    {
-      EXPECT_TRUE(result.trajectory.empty());
-      continue;
-    }
-    EXPECT_EQ(result.status, PlanStatus::succeeded) << result.message;
-    EXPECT_TRUE(world.referee.judge(request.start, request.goal, result.trajectory).accepted());
-  }
-}
-
-TEST_F(PlannerTest, AnswersWithAllItsStopsWhenTheTimeIsOverAfterTheSearch)
-{
-  const World world(free_area(8.0, 6.0, 0.1), robot, options);
-  const Path path = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, {}}).path;
-  const CollisionChecker checker(world.obstacles, robot);
-  ThreadBudget threads;
-  const Interrupt at_once(nullptr, Interrupt::Clock::now());
-  const Refinement late = BackEnd({world, options, checker, at_once, threads}).refine(path);
-  EXPECT_TRUE(world.referee.judge({1.0, 1.0, 0.0}, {6.0, 4.0, 1.0}, late.trajectory).accepted());
-}
-
 TEST_F(PlannerTest, PlansOnIpoptWhatItPlansOnTheStructuredSolver)
 {
   if (!has_ipopt()) GTEST_SKIP();
@@ -316,59 +179,6 @@ TEST_F(PlannerTest, PlansOnIpoptWhatItPlansOnTheStructuredSolver)
   const PlanResult ipopt = plan(world, request);
   ASSERT_EQ(ipopt.status, PlanStatus::succeeded) << ipopt.message;
   EXPECT_NEAR(ipopt.metrics.arrival_time, structured.metrics.arrival_time, 1e-3);
-}
-
-TEST_F(PlannerTest, DoesNotPublishWhatTheRefereeRefusesOfThePapersBackEnd)
-{
-  if (!has_ipopt()) GTEST_SKIP();
-  options.optimize.solver = NlpSolver::ipopt;
-  options.optimize.formulation = Formulation::paper;
-  options.search.steering_penalty = 0.0;
-  const World world(free_area(8.0, 6.0, 0.1), robot, options);
-  const PlanResult bent = plan(world, {{1.0, 1.0, 0.0}, {6.0, 4.0, 1.5}, ModeSet{Mode::ackermann}});
-  EXPECT_EQ(bent.status, PlanStatus::verification_failed) << bent.message;
-  EXPECT_NE(bent.message.find("rolled-out"), std::string::npos) << bent.message;
-  EXPECT_TRUE(bent.trajectory.empty());
-  EXPECT_GT(bent.metrics.arrival_time, 5.0);
-  EXPECT_FALSE(bent.metrics.safe);
-}
-
-TEST_F(PlannerTest, RejectsThePapersFormulationOnTheStructuredSolver)
-{
-  if (!has_ipopt()) GTEST_SKIP();
-  options.optimize.formulation = Formulation::paper;
-  try
-  {
-    Planner{options};
-    FAIL();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    EXPECT_STREQ(error.what(),
-                 "parameter 'solver' is 'structured', expected 'ipopt' where 'formulation' is 'paper': the structured "
-                 "solver has no penalties");
-  }
-}
-
-TEST_F(PlannerTest, IpoptIsRejectedByNameOnlyWhereItIsNotBuiltIn)
-{
-  PlannerOptions solver, paper;
-  solver.optimize.solver = paper.optimize.solver = NlpSolver::ipopt;
-  paper.optimize.formulation = Formulation::paper;
-  const auto refusal = [](const PlannerOptions& changed) -> std::string {
-    try
-    {
-      Planner{changed};
-      return "";
-    }
-    catch (const std::invalid_argument& error)
-    {
-      return error.what();
-    }
-  };
-  const std::string why = ": this program was built without Ipopt";
-  EXPECT_EQ(refusal(solver), has_ipopt() ? "" : "parameter 'solver' is 'ipopt', expected 'structured'" + why);
-  EXPECT_EQ(refusal(paper), has_ipopt() ? "" : "parameter 'formulation' is 'paper', expected 'default'" + why);
 }
 
 TEST_F(PlannerTest, ShowsItsRoundsOnRequest)
@@ -387,12 +197,6 @@ TEST_F(PlannerTest, ShowsItsRoundsOnRequest)
   EXPECT_EQ(static_cast<int>(most), result.metrics.outer_iterations);
   EXPECT_EQ(trace.all_corridors().size(), all);
   EXPECT_EQ(trace.corridors().size() + trace.iterations().size(), all);
-}
-
-TEST_F(PlannerTest, StopsWhenCancelled)
-{
-  const std::atomic<bool> cancelled{true};
-  expect_refused(plan_in_hall(here, there, {}, Interrupt(&cancelled)), PlanStatus::cancelled);
 }
 
 TEST_F(PlannerTest, ShowsTheNodesItExpandedOnRequest)
@@ -416,32 +220,6 @@ TEST_F(PlannerTest, KnowsItsOptionsAndItsWorldTheRobot)
   const PlanResult result = plan(world, {here, there, {}});
   ASSERT_EQ(result.status, PlanStatus::succeeded) << result.message;
   EXPECT_TRUE(Referee(world.grid, options.obstacles, longer).judge(here, there, result.trajectory).accepted());
-}
-
-TEST_F(PlannerTest, RejectsLessThanOneThread)
-{
-  for (int none : {0, -1})
-  {
-    try
-    {
-      Planner(options, none);
-      FAIL();
-    }
-    catch (const std::invalid_argument& error)
-    {
-      EXPECT_EQ(error.what(), "threads is " + std::to_string(none) + ", expected 1 or more");
-    }
-  }
-}
-
-TEST_F(PlannerTest, DoesNotBuildAWorldFromABadGrid)
-{
-  OccupancyGrid short_of_data = free_area(8.0, 6.0, 0.1), flat = short_of_data, nowhere = short_of_data;
-  short_of_data.data.pop_back();
-  flat.resolution = 0.0;
-  nowhere.origin.theta = std::nan("");
-  for (const OccupancyGrid& grid : {OccupancyGrid(), short_of_data, flat, nowhere})
-    EXPECT_THROW(World(grid, robot, options), std::invalid_argument);
 }
 
 }  // namespace
