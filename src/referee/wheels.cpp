@@ -64,7 +64,7 @@ Wheels::Wheels(const Robot& robot) : max_angle_(robot.wheel_max_angle * (1.0 + k
   const PhiRange range{-robot.max_steering_angle, robot.max_steering_angle};
   for (Mode mode : kPlannedModes)
   {
-    const auto m = static_cast<std::size_t>(mode);
+    const std::size_t m = index_of(mode);
     for (int wheel = 0; wheel < kWheels; ++wheel)
     {
       WheelMotion& motion = motions_[m][static_cast<std::size_t>(wheel)];
@@ -78,7 +78,7 @@ Wheels::Wheels(const Robot& robot) : max_angle_(robot.wheel_max_angle * (1.0 + k
 
 const WheelMotion& Wheels::motion(Mode mode, int wheel) const
 {
-  return motions_[static_cast<std::size_t>(mode)][static_cast<std::size_t>(wheel)];
+  return motions_[index_of(mode)][static_cast<std::size_t>(wheel)];
 }
 
 bool Wheels::has_branch(Mode mode, int wheel, PhiRange range) const

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/robot.h"
@@ -39,7 +38,7 @@ private:
   double p_ = 0.0, q_ = 0.0;
 };
 
-/// The four wheels of a robot in the planned modes.
+/// The four wheels of a robot in the planned modes. rules.cpp rejects the others; here they have zeros.
 class Wheels
 {
 public:
@@ -48,8 +47,8 @@ public:
   const WheelMotion& motion(Mode mode, int wheel) const;
 
   /// Greatest speed factor and gain of any wheel of a mode within the limit of the steering angle.
-  double greatest_speed_factor(Mode mode) const { return greatest_speed_factor_[static_cast<std::size_t>(mode)]; }
-  double greatest_gain(Mode mode) const { return greatest_gain_[static_cast<std::size_t>(mode)]; }
+  double greatest_speed_factor(Mode mode) const { return greatest_speed_factor_[index_of(mode)]; }
+  double greatest_gain(Mode mode) const { return greatest_gain_[index_of(mode)]; }
 
   /// Whether some branch (angle + k pi) of the wheel's angle stays within its travel for all phi of the range.
   bool has_branch(Mode mode, int wheel, PhiRange range) const;
@@ -60,8 +59,8 @@ public:
 
 private:
   double max_angle_;
-  std::array<std::array<WheelMotion, kWheels>, 4> motions_;  ///< by mode number
-  std::array<double, 4> greatest_speed_factor_{}, greatest_gain_{};
+  std::array<std::array<WheelMotion, kWheels>, kModeCount> motions_;  ///< by mode number
+  std::array<double, kModeCount> greatest_speed_factor_{}, greatest_gain_{};
 };
 
 }  // namespace fourwis::referee

@@ -85,6 +85,19 @@ TEST_P(ModesOfTheReferee, HaveTheLimitOfPhiOfTheVehicle)
   }
 }
 
+TEST(WheelsOfTheReferee, HaveZerosForModesThatAreNotPlanned)
+{
+  const referee::Wheels wheels{Robot()};
+  for (int number = 0; number < 256; ++number)
+  {
+    const Mode mode = static_cast<Mode>(number);
+    if (is_planned(mode)) continue;
+    EXPECT_EQ(wheels.greatest_speed_factor(mode), 0.0) << number;
+    EXPECT_EQ(wheels.greatest_gain(mode), 0.0) << number;
+    EXPECT_EQ(wheels.motion(mode, kWheels - 1).angle(0.3), 0.0) << number;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, ModesOfTheReferee, testing::ValuesIn(kPlannedModes),
                          [](const auto& mode) { return to_string(mode.param); });
 
