@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bus_faults.h"
 #include "bus_port.h"
 #include "drive_axis.h"
 #include "fault_schedule.h"
 #include "fourwis_navigation/model/option_check.h"
-#include "intruders.h"
 #include "line_faults.h"
 
 namespace fourwis::drives
@@ -32,7 +32,7 @@ public:
     : port_(bus),
       plant_(checked(robot), simulator.actuators, simulator.slip),
       line_(faults_),
-      intruders_(faults_, checked(bridge).bit_rate),
+      bus_faults_(faults_, checked(bridge).bit_rate),
       time_step_(checked(simulator).time_step)
   {
     for (int wheel = 0; wheel < kWheels; ++wheel) axes_.push_back(DriveAxis::steering(robot, bridge, wheel));
@@ -45,7 +45,7 @@ public:
     faults_.advance(time());
     begin_faults();
     receive();
-    intruders_.step(time(), time_step_, [this](const can::Frame& frame) { intrude(frame); });
+    bus_faults_.step(time(), time_step_, [this](const can::Frame& frame) { send_to_all(frame); });
     for (DriveAxis& axis : axes_) axis.measure(plant_, time(), time_step_);
     send();
     for (DriveAxis& axis : axes_) actuate(axis);
@@ -106,7 +106,7 @@ private:
   }
 
   /// The drives also receive frames of nodes that share their end of the bus.
-  void intrude(const can::Frame& frame)
+  void send_to_all(const can::Frame& frame)
   {
     port_.send(frame);
     deliver(frame);
@@ -131,7 +131,7 @@ private:
   Plant plant_;
   FaultSchedule faults_;
   LineFaults line_;
-  Intruders intruders_;
+  BusFaults bus_faults_;
   double time_step_;
   std::vector<DriveAxis> axes_;
   std::int64_t steps_ = 0;

@@ -50,7 +50,7 @@ std::optional<Pose> free_pose_near(const OccupancyGrid& grid, const BruteForceFl
 }
 
 /// What became of one robot on all maps.
-struct Tally
+struct Statistics
 {
   std::size_t maps = 0, connected = 0, solved = 0, solved_of_connected = 0, refused = 0;
   std::vector<double> medians;  ///< of the problems solved
@@ -64,24 +64,24 @@ std::string text(const Pose& pose)
   return fixed(pose.x, 2) + "," + fixed(pose.y, 2) + "," + fixed(pose.theta, 6);
 }
 
-void count(Tally& tally, const Problem& problem, bool connected, const Measurement& measurement)
+void count(Statistics& statistics, const Problem& problem, bool connected, const Measurement& measurement)
 {
   const PlanStatus status = measurement.result.status;
   const bool solved = status == PlanStatus::succeeded, refused = status == PlanStatus::goal_unreachable;
-  ++tally.maps;
-  tally.connected += connected;
-  tally.solved += solved;
-  tally.solved_of_connected += solved && connected;
-  tally.refused += refused && !connected;
-  if (solved) tally.medians.push_back(median(measurement.frontend_ms));
+  ++statistics.maps;
+  statistics.connected += connected;
+  statistics.solved += solved;
+  statistics.solved_of_connected += solved && connected;
+  statistics.refused += refused && !connected;
+  if (solved) statistics.medians.push_back(median(measurement.frontend_ms));
   if (solved || (refused && !connected)) return;
-  ++tally.surprises;
-  tally.surprising.add({problem.id, text(problem.start), text(problem.goal), connected ? "yes" : "no",
-                        to_string(status), std::to_string(measurement.result.metrics.expansions),
-                        fixed(median(measurement.frontend_ms), 1)});
+  ++statistics.surprises;
+  statistics.surprising.add({problem.id, text(problem.start), text(problem.goal), connected ? "yes" : "no",
+                             to_string(status), std::to_string(measurement.result.metrics.expansions),
+                             fixed(median(measurement.frontend_ms), 1)});
 }
 
-std::vector<Problem> cross(Tally& tally, const Setup& setup, const std::vector<BarnMap>& maps)
+std::vector<Problem> cross(Statistics& statistics, const Setup& setup, const std::vector<BarnMap>& maps)
 {
   std::vector<Problem> problems;
   for (const BarnMap& map : maps)
@@ -92,7 +92,7 @@ std::vector<Problem> cross(Tally& tally, const Setup& setup, const std::vector<B
     const std::optional<Pose> goal = free_pose_near(map.grid, flood, {middle, map.top + kGoalAt, 0.0});
     if (!start || !goal) throw std::runtime_error(map.name + ": no room for the robot");
     problems.push_back({map.name, map.name + ".yaml", *start, *goal});
-    count(tally, problems.back(), flood.joins(*start, *goal), measure(setup, map.grid, *start, *goal));
+    count(statistics, problems.back(), flood.joins(*start, *goal), measure(setup, map.grid, *start, *goal));
   }
   return problems;
 }
@@ -112,30 +112,31 @@ void report_barn(const Report& report, const Setup& setup, const std::string& fo
 
   Table table({"robot m", "maps", "solved", "connected", "solved of connected", "solved of the others",
                "refused of the others", "p50 ms", "p95 ms", "max ms"});
-  std::vector<std::pair<std::string, Tally>> tallies;
+  std::vector<std::pair<std::string, Statistics>> all_statistics;
   for (const Robot& robot : {setup.robot, small_robot()})
   {
     Setup with_robot = setup;
     with_robot.robot = robot;
     const std::string size = fixed(robot.length, 2) + " x " + fixed(robot.width, 2);
-    Tally tally;
-    const std::vector<Problem> problems = cross(tally, with_robot, maps);
+    Statistics statistics;
+    const std::vector<Problem> problems = cross(statistics, with_robot, maps);
     if (!export_folder.empty())
       write_problems(export_folder + "/problems_" + fixed(robot.length, 2) + ".csv", problems);
-    table.add({size, std::to_string(tally.maps), share(tally.solved, tally.maps), share(tally.connected, tally.maps),
-               share(tally.solved_of_connected, tally.connected),
-               share(tally.solved - tally.solved_of_connected, tally.maps - tally.connected),
-               share(tally.refused, tally.maps - tally.connected), fixed(median(tally.medians), 2),
-               fixed(quantile(tally.medians, 0.95), 2), fixed(worst(tally.medians), 2)});
-    tallies.emplace_back(size, std::move(tally));
+    table.add({size, std::to_string(statistics.maps), share(statistics.solved, statistics.maps),
+               share(statistics.connected, statistics.maps),
+               share(statistics.solved_of_connected, statistics.connected),
+               share(statistics.solved - statistics.solved_of_connected, statistics.maps - statistics.connected),
+               share(statistics.refused, statistics.maps - statistics.connected), fixed(median(statistics.medians), 2),
+               fixed(quantile(statistics.medians, 0.95), 2), fixed(worst(statistics.medians), 2)});
+    all_statistics.emplace_back(size, std::move(statistics));
   }
   report.title("BARN maps");
   report.table(table);
-  for (const auto& [size, tally] : tallies)
+  for (const auto& [size, statistics] : all_statistics)
   {
-    if (tally.surprises == 0) continue;
+    if (statistics.surprises == 0) continue;
     report.line("Robot " + size + ", neither solved nor, where not connected, refused as unreachable:");
-    report.table(tally.surprising);
+    report.table(statistics.surprising);
   }
 }
 

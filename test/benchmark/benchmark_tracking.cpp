@@ -16,22 +16,22 @@ namespace
 const std::string kEnvironments = FOURWIS_SOURCE_DIR "/config/environments.csv";
 
 /// A base that answers late, slips and measures badly, and a localiser that is late and noisy.
-Circumstances adverse(Circumstances circumstances)
+DriveConditions adverse(DriveConditions conditions)
 {
-  circumstances.simulator.command_latency = circumstances.track.command_latency = 0.06;
-  circumstances.simulator.slip.drive_slip = 0.03;
-  circumstances.simulator.encoders.angle_noise = 0.002;
-  circumstances.simulator.encoders.speed_noise = 0.001;
-  circumstances.localisation = {0.02, 0.002, 0.002};
-  return circumstances;
+  conditions.simulator.command_latency = conditions.track.command_latency = 0.06;
+  conditions.simulator.slip.drive_slip = 0.03;
+  conditions.simulator.encoders.angle_noise = 0.002;
+  conditions.simulator.encoders.speed_noise = 0.001;
+  conditions.localisation = {0.02, 0.002, 0.002};
+  return conditions;
 }
 
 /// One thing at a time that the tracker does not know of, or that it is asked for.
-std::vector<Variation> variations(const Circumstances& usual)
+std::vector<Variation> variations(const DriveConditions& usual)
 {
   std::vector<Variation> all;
-  const auto vary = [&](const std::string& name) -> Circumstances& {
-    return all.emplace_back(Variation{name, usual}).circumstances;
+  const auto vary = [&](const std::string& name) -> DriveConditions& {
+    return all.emplace_back(Variation{name, usual}).conditions;
   };
   vary("20 Hz").track.controller_frequency = 20.0;
   vary("60 ms latency, 20 ms expected").simulator.command_latency = 0.06;
@@ -47,7 +47,7 @@ void run(const Setup& setup, bool markdown)
 {
   const Report report{std::cout, markdown};
   const auto environments = plan_environments(setup, read_problems(kEnvironments));
-  Circumstances nominal;
+  DriveConditions nominal;
   nominal.robot = setup.robot;
   report_tracking(report, nominal, setup.runs, "Tracking on the simulated base", environments);
   report_tracking(report, adverse(nominal), setup.runs,

@@ -22,15 +22,15 @@ constexpr double kPatience = 60.0;
 class SimulatedDrive
 {
 public:
-  SimulatedDrive(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid, int seed)
-    : circumstances_(circumstances),
+  SimulatedDrive(const DriveConditions& conditions, const Trajectory& trajectory, const OccupancyGrid* grid, int seed)
+    : conditions_(conditions),
       trajectory_(trajectory),
       random_(static_cast<unsigned>(seed)),
-      base_(circumstances.robot, with_seed(circumstances.simulator, seed)),
-      tracker_(circumstances.robot, circumstances.track),
-      period_(1.0 / circumstances.track.controller_frequency)
+      base_(conditions.robot, with_seed(conditions.simulator, seed)),
+      tracker_(conditions.robot, conditions.track),
+      period_(1.0 / conditions.track.controller_frequency)
   {
-    if (grid) footprint_.emplace(*grid, circumstances.robot);
+    if (grid) footprint_.emplace(*grid, conditions.robot);
     const double r = kStartOffset, turn = kStartTurn;
     base_.place(compose(trajectory.front().pose(),
                         {random_.between(-r, r), random_.between(-r, r), random_.between(-turn, turn)}));
@@ -62,7 +62,7 @@ private:
   /// What the localiser says now of the pose some time ago.
   TrackInput input()
   {
-    const Localisation& localisation = circumstances_.localisation;
+    const Localisation& localisation = conditions_.localisation;
     seen_.push_back({base_.time(), pose()});
     while (seen_.size() > 1 && seen_[1].first <= base_.time() - localisation.delay + 1e-9) seen_.pop_front();
     Pose pose = seen_.front().second;
@@ -94,7 +94,7 @@ private:
     result_.driving += period_;
     result_.step_ms.push_back(ms);
     const TrajectoryPoint should =
-        trajectory_at(circumstances_.robot, trajectory_, output.t + base_.time() - seen_.front().first);
+        trajectory_at(conditions_.robot, trajectory_, output.t + base_.time() - seen_.front().first);
     const double course = should.theta + (should.mode == Mode::lateral    ? M_PI_2
                                           : should.mode == Mode::parallel ? should.phi
                                                                           : 0.0);
@@ -102,7 +102,7 @@ private:
     result_.longitudinal.push_back(std::abs(error.x));
     result_.lateral.push_back(std::abs(error.y));
     result_.heading.push_back(std::abs(wrap_angle(pose().theta - should.theta)));
-    if (circumstances_.push && !pushed_ && output.t >= circumstances_.push->at) push();
+    if (conditions_.push && !pushed_ && output.t >= conditions_.push->at) push();
   }
 
   /// Where the robot is.
@@ -112,7 +112,7 @@ private:
   /// room.
   void push()
   {
-    const Pose there = compose(pose(), circumstances_.push->by);
+    const Pose there = compose(pose(), conditions_.push->by);
     if (footprint_ && footprint_->collides(there)) return;
     world_ = compose(there, relative_to(base_.pose(), Pose{}));
     pushed_ = true;
@@ -128,7 +128,7 @@ private:
     }
   }
 
-  const Circumstances& circumstances_;
+  const DriveConditions& conditions_;
   const Trajectory& trajectory_;
   Random random_;
   BaseSimulator base_;
@@ -143,10 +143,10 @@ private:
 
 }  // namespace
 
-DriveResult simulate(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid,
+DriveResult simulate(const DriveConditions& conditions, const Trajectory& trajectory, const OccupancyGrid* grid,
                      int seed)
 {
-  return SimulatedDrive(circumstances, trajectory, grid, seed).run();
+  return SimulatedDrive(conditions, trajectory, grid, seed).run();
 }
 
 }  // namespace fourwis::benchmark

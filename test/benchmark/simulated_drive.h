@@ -28,7 +28,7 @@ struct Push
   Pose by;          ///< in the robot's frame
 };
 
-struct Circumstances
+struct DriveConditions
 {
   Robot robot;
   TrackOptions track;
@@ -51,7 +51,7 @@ struct DriveResult
 };
 
 /// Drives a trajectory on simulated time until the tracker is done with it. `grid`: where obstacles are; may be null.
-DriveResult simulate(const Circumstances& circumstances, const Trajectory& trajectory, const OccupancyGrid* grid,
+DriveResult simulate(const DriveConditions& conditions, const Trajectory& trajectory, const OccupancyGrid* grid,
                      int seed);
 
 }  // namespace fourwis::benchmark

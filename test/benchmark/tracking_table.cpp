@@ -42,10 +42,10 @@ struct Drives
   }
 };
 
-void drive_all(const Circumstances& circumstances, const PlannedEnvironment& environment, int seeds, Drives& drives)
+void drive_all(const DriveConditions& conditions, const PlannedEnvironment& environment, int seeds, Drives& drives)
 {
   for (int seed = 1; seed <= seeds; ++seed)
-    drives.add(simulate(circumstances, environment.trajectory, &environment.grid, seed));
+    drives.add(simulate(conditions, environment.trajectory, &environment.grid, seed));
 }
 
 std::string of(int part, int whole)
@@ -119,7 +119,7 @@ std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std:
   return environments;
 }
 
-void report_tracking(const Report& report, const Circumstances& circumstances, int seeds, const std::string& title,
+void report_tracking(const Report& report, const DriveConditions& conditions, int seeds, const std::string& title,
                      const std::vector<PlannedEnvironment>& environments)
 {
   Table table(kHeader);
@@ -127,7 +127,7 @@ void report_tracking(const Report& report, const Circumstances& circumstances, i
   for (const PlannedEnvironment& environment : environments)
   {
     Drives drives;
-    drive_all(circumstances, environment, seeds, drives);
+    drive_all(conditions, environment, seeds, drives);
     table.add(row(environment, drives));
     if (!drives.message.empty()) messages += " " + environment.id + ": " + drives.message + ".";
   }
@@ -146,7 +146,7 @@ void report_variations(const Report& report, const std::vector<Variation>& varia
   {
     Drives drives;
     for (const PlannedEnvironment& environment : environments)
-      drive_all(variation.circumstances, environment, seeds, drives);
+      drive_all(variation.conditions, environment, seeds, drives);
     table.add({variation.name, of(drives.arrived, drives.count), std::to_string(drives.collided),
                fixed(1e3 * mean(drives.lateral), 2), fixed(1e3 * worst(drives.lateral), 1),
                fixed(1e3 * mean(drives.longitudinal), 2), fixed(1e3 * worst(drives.longitudinal), 1),
@@ -158,7 +158,7 @@ void report_variations(const Report& report, const std::vector<Variation>& varia
   report.table(table);
 }
 
-void report_pushes(const Report& report, const Circumstances& circumstances, int seeds,
+void report_pushes(const Report& report, const DriveConditions& conditions, int seeds,
                    const std::vector<PlannedEnvironment>& environments)
 {
   Table table({"environment", "pushes", "returned and arrived", "stopped and said so", "collided", "lateral max mm",
@@ -169,7 +169,7 @@ void report_pushes(const Report& report, const Circumstances& circumstances, int
     Random random(1);
     for (int seed = 1; seed <= seeds; ++seed)
     {
-      Circumstances pushed = circumstances;
+      DriveConditions pushed = conditions;
       pushed.push = random_push(random, environment.trajectory);
       drives.add(simulate(pushed, environment.trajectory, &environment.grid, seed));
     }

@@ -23,14 +23,14 @@ struct PlannedEnvironment
 std::vector<PlannedEnvironment> plan_environments(const Setup& setup, const std::vector<Problem>& problems);
 
 /// One line an environment: errors over the drives of so many seeds, and in the last line the paper's.
-void report_tracking(const Report& report, const Circumstances& circumstances, int seeds, const std::string& title,
+void report_tracking(const Report& report, const DriveConditions& conditions, int seeds, const std::string& title,
                      const std::vector<PlannedEnvironment>& environments);
 
-/// A way in which circumstances differ from the usual ones.
+/// A way in which conditions differ from the usual ones.
 struct Variation
 {
   std::string name;
-  Circumstances circumstances;
+  DriveConditions conditions;
 };
 
 /// One line a variation, over all environments.
@@ -38,7 +38,7 @@ void report_variations(const Report& report, const std::vector<Variation>& varia
                        const std::vector<PlannedEnvironment>& environments);
 
 /// One line an environment: the robot is pushed by 0.1 m or 10 degrees to either side at a random moment.
-void report_pushes(const Report& report, const Circumstances& circumstances, int seeds,
+void report_pushes(const Report& report, const DriveConditions& conditions, int seeds,
                    const std::vector<PlannedEnvironment>& environments);
 
 }  // namespace fourwis::benchmark

@@ -60,10 +60,10 @@ PlannerOptions planner_options()
 }
 
 /// How often each status was the answer.
-class Tally
+class Statistics
 {
 public:
-  void plan(const Place& place, const PlanRequest& request, const std::string& name)
+  void plan_and_count(const Place& place, const PlanRequest& request, const std::string& name)
   {
     const PlanResult result = Planner(planner_options()).plan(place.world, request);
     Count& count = counts_[to_string(result.status)];
@@ -98,17 +98,17 @@ private:
   std::map<std::string, Count> counts_;
 };
 
-void plan_on_maps(const Arguments& arguments, Tally& tally)
+void plan_on_maps(const Arguments& arguments, Statistics& statistics)
 {
   for (const std::string& map : arguments.maps)
   {
     Random random(arguments.seed);
     const Place place(read_map_file(map), Robot(), planner_options());
-    for (int k = 0; k < arguments.problems; ++k) tally.plan(place, place.request(random), map);
+    for (int k = 0; k < arguments.problems; ++k) statistics.plan_and_count(place, place.request(random), map);
   }
 }
 
-void plan_on_random_places(const Arguments& arguments, Tally& tally)
+void plan_on_random_places(const Arguments& arguments, Statistics& statistics)
 {
   for (int k = 0; k < arguments.problems; k += kProblemsOfAPlace)
   {
@@ -116,7 +116,7 @@ void plan_on_random_places(const Arguments& arguments, Tally& tally)
     Random random(seed);
     const Place place(random_grid(random), Robot(), planner_options());
     for (int i = k; i < std::min(k + kProblemsOfAPlace, arguments.problems); ++i)
-      tally.plan(place, place.request(random), "seed " + std::to_string(seed));
+      statistics.plan_and_count(place, place.request(random), "seed " + std::to_string(seed));
   }
 }
 
@@ -135,13 +135,13 @@ int run(int argc, char** argv)
   const Arguments arguments = arguments_in(given);
   std::cout << arguments.problems << " problems" << (arguments.maps.empty() ? "" : " on each map") << ", seed "
             << arguments.seed << std::endl;
-  Tally tally;
+  Statistics statistics;
   if (arguments.maps.empty())
-    plan_on_random_places(arguments, tally);
+    plan_on_random_places(arguments, statistics);
   else
-    plan_on_maps(arguments, tally);
-  tally.print();
-  return tally.all_right() ? 0 : 1;
+    plan_on_maps(arguments, statistics);
+  statistics.print();
+  return statistics.all_right() ? 0 : 1;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "intruders.h"
+#include "bus_faults.h"
 
 #include "fourwis_navigation/can/protocol/frame_bits.h"
 
@@ -52,7 +52,7 @@ can::Frame error_passive()
 
 }  // namespace
 
-void Intruders::step(double now, double dt, const FrameSink& send)
+void BusFaults::step(double now, double dt, const FrameSink& send)
 {
   const bool cycle = now >= cycle_ + kPeriod - kRounding;
   if (cycle) cycle_ = now;
@@ -66,7 +66,7 @@ void Intruders::step(double now, double dt, const FrameSink& send)
   });
 }
 
-void Intruders::flood(const DriveFault& fault, double dt, const FrameSink& send)
+void BusFaults::flood(const DriveFault& fault, double dt, const FrameSink& send)
 {
   const can::Frame frame = data_frame(static_cast<std::uint32_t>(fault.value) & 0x7FF, 8);
   const int bits = can::worst_case_bits(frame);

@@ -8,11 +8,11 @@ namespace fourwis::drives
 
 /// Other nodes on the bus that disturb the drives: another master, a second node of the same id, a node that floods the
 /// bus, controllers that report errors. Times in s.
-class Intruders
+class BusFaults
 {
 public:
   /// `bit_rate` [bit/s] of the bus, which a flood fills.
-  Intruders(const FaultSchedule& faults, double bit_rate) : faults_(faults), bit_rate_(bit_rate) {}
+  BusFaults(const FaultSchedule& faults, double bit_rate) : faults_(faults), bit_rate_(bit_rate) {}
 
   /// Sends their frames of a step of `dt` that ends at `now`.
   void step(double now, double dt, const FrameSink& send);
