@@ -16,7 +16,7 @@ enum class PlanStatus
   succeeded,
   start_in_collision,
   goal_in_collision,
-  goal_unreachable,     ///< proven: not even a robot that moves freely gets there
+  goal_unreachable,     ///< proven: not even free motion gets there, or parallel motion alone would have to turn
   no_path,              ///< the search gave up: nothing left to expand, or its expansions are used up
   timeout,              ///< planner_patience is over
   not_converged,        ///< the optimisation failed and no fallback was allowed
