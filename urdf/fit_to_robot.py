@@ -1,14 +1,20 @@
 #!/usr/bin/python3
 """Prints fourwis.urdf, beside this file, with the body and the wheels of another robot.
 
-  fit_to_robot.py ROBOT.yaml      a file like config/robot.yaml
+  fit_to_robot.py ROBOT.yaml      a file like config/robot.yaml; missing keys take their defaults
 """
+import math
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
 
+import rosparam  # teaches yaml deg(..) and rad(..), as it does for roslaunch
 import yaml
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# PyYAML takes 2e-2 for a text. The nodes read it as a number, and a number in quotes as well.
+NUMBER = re.compile(r'[-+]?(?!0[0-9])([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?')
 # Front or rear, left or right of the centre.
 WHEELS = {'front_left': (1, 1), 'front_right': (1, -1), 'rear_left': (-1, 1), 'rear_right': (-1, -1)}
 NOSE = 0.1  # its length, from the front edge back [m]
@@ -29,8 +35,27 @@ def fit_wheel(joint, robot, front, left):
     joint.find('limit').set('velocity', str(robot['wheel_max_rate']))
 
 
+class Robot(dict):
+    """The keys of a file as roslaunch gives them to the nodes."""
+
+    def __init__(self, path):
+        super().__init__(yaml.safe_load((ROOT / 'config' / 'robot.yaml').read_text(encoding='utf-8')))
+        self.update(yaml.safe_load(pathlib.Path(path).read_text(encoding='utf-8')))
+
+    def __getitem__(self, key):
+        value = super().__getitem__(key)
+        if isinstance(value, str) and NUMBER.fullmatch(value):
+            value = float(value)
+        if type(value) not in (int, float) or not math.isfinite(value):
+            raise ValueError(f"parameter '{key}' is {value!r}, expected a number")
+        if type(value) is int and not -2**31 <= value < 2**31:
+            raise ValueError(f"parameter '{key}' is {value}, expected a whole number of at most 31 bits, "
+                             'or one with a decimal point')
+        return value
+
+
 def fitted(robot):
-    """The model as an XML element; `robot` as read from its YAML file."""
+    """The model as an XML element."""
     model = xml.etree.ElementTree.parse(pathlib.Path(__file__).with_name('fourwis.urdf')).getroot()
     fit_body(model.find("link[@name='base_link']"), robot)
     for name, place in WHEELS.items():
@@ -39,5 +64,7 @@ def fitted(robot):
 
 
 if __name__ == '__main__':
-    with open(sys.argv[1], encoding='utf-8') as file:
-        print(xml.etree.ElementTree.tostring(fitted(yaml.safe_load(file)), encoding='unicode'))
+    try:
+        print(xml.etree.ElementTree.tostring(fitted(Robot(sys.argv[1])), encoding='unicode'))
+    except Exception as error:  # of yaml and rosparam, too, which evaluates what stands in rad(..)
+        sys.exit(f'fit_to_robot.py: {sys.argv[1]}: {" ".join(str(error).split())}')

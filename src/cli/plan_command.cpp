@@ -34,6 +34,7 @@ struct Problem
   Robot robot;
   PlannerOptions options;
   PlanRequest request;
+  std::vector<std::string> notes;  ///< what a person should know of the files
 };
 
 /// The answer; the trace is empty unless asked for.
@@ -46,11 +47,14 @@ struct Answer
 Problem read_problem(const PlanArguments& arguments)
 {
   Problem problem;
-  if (!arguments.robot.empty()) problem.robot = read_robot_file(arguments.robot);
-  if (!arguments.planner.empty()) problem.options = read_planner_file(arguments.planner);
+  std::string robot_defaults, planner_defaults;
+  if (!arguments.robot.empty()) problem.robot = read_robot_file(arguments.robot, &robot_defaults);
+  if (!arguments.planner.empty()) problem.options = read_planner_file(arguments.planner, &planner_defaults);
   problem.grid = arguments.octomap.empty() ? read_map_file(arguments.map)
                                            : project_octomap_file(arguments.octomap, arguments.band);
   problem.request = {arguments.start, arguments.goal, arguments.modes, arguments.frontend_only};
+  for (const std::string& note : {robot_defaults, planner_defaults})
+    if (!note.empty()) problem.notes.push_back(note);
   return problem;
 }
 
@@ -175,6 +179,7 @@ int run(const PlanArguments& arguments, std::ostream& out, std::ostream& err)
   const Answer answer = plan_repeatedly(problem, arguments.repeat, arguments.corridors || arguments.iterations);
   const PlanResult& result = answer.result;
   write(outputs, problem, answer);
+  for (const std::string& note : problem.notes) tell(err, note);
   tell(err, summary(result));
   if (result.status == PlanStatus::succeeded) return kPlanned;
   return result.status == PlanStatus::invalid_input ? kUnusableInput : kNoPlan;

@@ -15,7 +15,17 @@ constexpr const char* kPreface =
     "tables beside\n"
     "the structs of options, and so do the checks. What a key means is told in its file, and beside its member. "
     "Values\n"
-    "that contradict each other are rejected as well.\n";
+    "that contradict each other are rejected as well. A missing key takes its default, which is told once at start; "
+    "an\n"
+    "unknown one is rejected.\n"
+    "\n"
+    "A file means the same to `plan`, to the nodes (roslaunch and rosparam put it on the parameter server) and to\n"
+    "`urdf/fit_to_robot.py`. It is YAML 1.1, as PyYAML reads it, with two additions: a text that is a decimal number,\n"
+    "like `2e-2` to PyYAML or `'0.02'`, is that number; angles may be written `deg(30)` or `rad(pi/6)`, with numbers, "
+    "pi,\n"
+    "`+ - * /`. So `010` is 8 (octal), `1_000` is 1000, `yes` and `off` are true and false; `08`, `inf` and `nan` are "
+    "no\n"
+    "numbers. A whole number beyond 31 bits is rejected, because the parameter server has none: write `3e9`.\n";
 
 template <class Options>
 std::string table_of(const std::string& title, const std::string& reader)

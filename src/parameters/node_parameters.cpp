@@ -34,6 +34,8 @@ public:
   Options group(const std::string& name, Options (*read)(const ParameterMap&))
   {
     const ParameterMap members = take(name + '/');
+    const std::string taken = defaults_taken<Options>(members);
+    if (!taken.empty()) defaults_.push_back("in '" + name + "': " + taken);
     try
     {
       return read(members);
@@ -46,12 +48,18 @@ public:
 
   /// What is left are the node's own keys.
   template <class Options>
-  Options own() const
+  Options own()
   {
     Options options;
-    set_from(given_, ParameterList::of(options), Missing::is_rejected, groups_);
+    const std::vector<Parameter> parameters = ParameterList::of(options);
+    const std::string taken = defaults_taken(given_, parameters);
+    if (!taken.empty()) defaults_.push_back(taken);
+    set_from(given_, parameters, groups_);
     return options;
   }
+
+  /// A sentence for each group with missing keys.
+  const std::vector<std::string>& defaults() const { return defaults_; }
 
 private:
   ParameterMap take(const std::string& prefix)
@@ -67,7 +75,7 @@ private:
   }
 
   ParameterMap given_;
-  std::vector<std::string> groups_;
+  std::vector<std::string> groups_, defaults_;
 };
 
 /// Read by diagnostic_updater.
@@ -85,7 +93,7 @@ template <class Options>
 void set_with_defaults(const ParameterMap& given, Options& options, std::string Options::*needed,
                        const std::string& key)
 {
-  set_from(given, ParameterList::of(options), Missing::keeps_its_default);
+  set_from(given, ParameterList::of(options));
   if ((options.*needed).empty()) reject<ConfigError>("missing parameter '", key, "'");
 }
 
@@ -108,6 +116,7 @@ GlobalPlannerParameters global_planner_parameters_from(const ParameterMap& param
   result.robot = given.group("robot", robot_from);
   result.planner = given.group("planner", planner_options_from);
   result.node = given.own<GlobalPlannerOptions>();
+  result.defaults = given.defaults();
   return result;
 }
 
@@ -118,6 +127,7 @@ MpcControllerParameters mpc_controller_parameters_from(const ParameterMap& param
   result.robot = given.group("robot", robot_from);
   result.track = given.group("mpc", track_options_from);
   result.node = given.own<MpcControllerOptions>();
+  result.defaults = given.defaults();
   return result;
 }
 
@@ -128,6 +138,7 @@ CanBridgeParameters can_bridge_parameters_from(const ParameterMap& parameters)
   result.robot = given.group("robot", robot_from);
   result.bridge = given.group("can_bridge", bridge_options_from);
   result.node = given.own<CanBridgeNodeOptions>();
+  result.defaults = given.defaults();
   result.node.frames.wheel_radius = result.bridge.wheel_radius;
   return result;
 }
@@ -140,6 +151,7 @@ BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& param
   result.simulator = given.group("simulator", simulator_options_from);
   if (given.differs("bus", kDirect)) result.bridge = given.group("can_bridge", bridge_options_from);
   result.node = given.own<BaseSimulatorNodeOptions>();
+  result.defaults = given.defaults();
   check_configuration(result.node);
   return result;
 }

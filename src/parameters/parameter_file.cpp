@@ -1,11 +1,14 @@
 #include <fstream>
 #include <ios>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include <yaml-cpp/yaml.h>
 
 #include "fourwis_navigation/parameters/parameters.h"
+#include "parameter_list.h"
+#include "yaml_value.h"
 
 namespace fourwis
 {
@@ -21,16 +24,16 @@ constexpr int kMaxDepth = 8;
   throw ConfigError(path + line + ": " + what);
 }
 
-/// The type a plain scalar has in YAML 1.1, which is also what rosparam loads; quoted scalars are strings.
-ParameterValue value_of(const YAML::Node& scalar)
+ParameterValue value_of(const std::string& path, const std::string& key, const YAML::Node& scalar)
 {
-  const bool quoted = scalar.Tag() == "!";
-  bool flag = false;
-  double number = 0.0;
-  if (!quoted && YAML::convert<double>::decode(scalar, number)) return number;
-  // yaml-cpp also takes y and n for booleans, rosparam does not.
-  if (!quoted && scalar.Scalar().size() > 1 && YAML::convert<bool>::decode(scalar, flag)) return flag;
-  return scalar.Scalar();
+  try
+  {
+    return yaml_value(key, scalar.Tag(), scalar.Scalar());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    reject_at(path, scalar.Mark(), error.what());
+  }
 }
 
 void flatten(const std::string& path, const std::string& prefix, const YAML::Node& map, int depth, ParameterMap& out)
@@ -48,7 +51,7 @@ void flatten(const std::string& path, const std::string& prefix, const YAML::Nod
     }
     if (!entry.second.IsScalar())
       reject_at(path, entry.first.Mark(), "parameter '" + key + "' has no single value, expected a number or a word");
-    if (!out.emplace(key, value_of(entry.second)).second)
+    if (!out.emplace(key, value_of(path, key, entry.second)).second)
       reject_at(path, entry.first.Mark(), "parameter '" + key + "' appears twice, expected once");
   }
 }
@@ -82,12 +85,15 @@ YAML::Node load(const std::string& path)
 }
 
 template <class Options>
-Options from_file(const std::string& path, Options (*convert)(const ParameterMap&))
+Options from_file(const std::string& path, Options (*convert)(const ParameterMap&), std::string* defaults)
 {
   const ParameterMap parameters = read_parameter_file(path);
   try
   {
-    return convert(parameters);
+    const Options options = convert(parameters);
+    const std::string taken = defaults_taken<Options>(parameters);
+    if (defaults && !taken.empty()) *defaults = path + ": " + taken;
+    return options;
   }
   catch (const ConfigError& error)
   {
@@ -106,29 +112,29 @@ ParameterMap read_parameter_file(const std::string& path)
   return parameters;
 }
 
-Robot read_robot_file(const std::string& path)
+Robot read_robot_file(const std::string& path, std::string* defaults)
 {
-  return from_file(path, robot_from);
+  return from_file(path, robot_from, defaults);
 }
 
-PlannerOptions read_planner_file(const std::string& path)
+PlannerOptions read_planner_file(const std::string& path, std::string* defaults)
 {
-  return from_file(path, planner_options_from);
+  return from_file(path, planner_options_from, defaults);
 }
 
-TrackOptions read_track_file(const std::string& path)
+TrackOptions read_track_file(const std::string& path, std::string* defaults)
 {
-  return from_file(path, track_options_from);
+  return from_file(path, track_options_from, defaults);
 }
 
-SimulatorOptions read_simulator_file(const std::string& path)
+SimulatorOptions read_simulator_file(const std::string& path, std::string* defaults)
 {
-  return from_file(path, simulator_options_from);
+  return from_file(path, simulator_options_from, defaults);
 }
 
-can::BridgeOptions read_bridge_file(const std::string& path)
+can::BridgeOptions read_bridge_file(const std::string& path, std::string* defaults)
 {
-  return from_file(path, bridge_options_from);
+  return from_file(path, bridge_options_from, defaults);
 }
 
 }  // namespace fourwis

@@ -1,9 +1,11 @@
 #include "parameter_list.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "fourwis_navigation/model/sentence.h"
+#include "number_text.h"
 
 namespace fourwis
 {
@@ -36,14 +38,6 @@ void reject_unknown(const ParameterMap& given, const std::vector<std::string>& k
   }
 }
 
-void reject_missing(const ParameterMap& given, const std::vector<std::string>& keys)
-{
-  std::vector<std::string> missing;
-  for (const std::string& key : keys)
-    if (given.count(key) == 0) missing.push_back(key);
-  if (!missing.empty()) reject<ConfigError>("missing parameter ", join(missing));
-}
-
 }  // namespace
 
 std::string text_of(const ParameterValue& value)
@@ -62,18 +56,19 @@ bool flag_in(const std::string& key, const ParameterValue& value)
 
 double number_in(const std::string& key, const ParameterValue& value, const OptionRange& range)
 {
-  const double* number = std::get_if<double>(&value);
+  std::optional<double> number;
+  if (const double* plain = std::get_if<double>(&value)) number = *plain;
+  // PyYAML takes 2e-2 for a text, and there are people who put numbers into quotes.
+  if (const std::string* text = std::get_if<std::string>(&value)) number = number_in_text(*text);
   if (!number) reject_option(key, text_of(value), expectation(range));
   require_in(range, key, *number);
   return *number;
 }
 
-void set_from(const ParameterMap& given, const std::vector<Parameter>& parameters, Missing missing,
+void set_from(const ParameterMap& given, const std::vector<Parameter>& parameters,
               const std::vector<std::string>& others)
 {
-  const std::vector<std::string> keys = keys_of(parameters);
-  reject_unknown(given, keys, others);
-  if (missing == Missing::is_rejected) reject_missing(given, keys);
+  reject_unknown(given, keys_of(parameters), others);
   try
   {
     for (const Parameter& parameter : parameters)
@@ -83,6 +78,14 @@ void set_from(const ParameterMap& given, const std::vector<Parameter>& parameter
   {
     throw ConfigError(error.what());
   }
+}
+
+std::string defaults_taken(const ParameterMap& given, const std::vector<Parameter>& parameters)
+{
+  std::vector<std::string> taken;
+  for (const Parameter& parameter : parameters)
+    if (given.count(parameter.key) == 0) taken.push_back(parameter.key + " = " + parameter.value);
+  return taken.empty() ? "" : "missing parameters take their defaults: " + join(taken);
 }
 
 }  // namespace fourwis

@@ -100,25 +100,29 @@ private:
   std::vector<Parameter> parameters_;
 };
 
-/// What becomes of a key that is not given.
-enum class Missing
-{
-  is_rejected,
-  keeps_its_default
-};
-
-/// Sets each member from the key of its name. Throws ConfigError for an unknown key, for one that is missing and rejected, and
-/// for a value that is none of what it may be. `others` are known as well, for the text of the error.
+/// Sets each member from the key of its name; one without a key stays as it is. Throws ConfigError for an unknown key, and for
+/// a value that is none of what it may be. `others` are known as well, for the text of the error.
 void set_from(const ParameterMap& given, const std::vector<Parameter>& parameters,
-              Missing missing = Missing::is_rejected, const std::vector<std::string>& others = {});
+              const std::vector<std::string>& others = {});
 
-/// Options with every member set.
+/// A sentence with the keys that are not given and the values that they keep; empty when all are given.
+std::string defaults_taken(const ParameterMap& given, const std::vector<Parameter>& parameters);
+
+/// The defaults, and what is given of them.
 template <class Options>
 Options options_from(const ParameterMap& given)
 {
   Options options;
   set_from(given, ParameterList::of(options), Missing::keeps_its_default);
   return options;
+}
+
+/// The same for the keys of a struct of options.
+template <class Options>
+std::string defaults_taken(const ParameterMap& given)
+{
+  Options defaults;
+  return defaults_taken(given, ParameterList::of(defaults));
 }
 
 /// Throws what check(options) does as ConfigError.

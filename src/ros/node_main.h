@@ -1,6 +1,8 @@
 #pragma once
 
 #include <exception>
+#include <string>
+#include <vector>
 
 #include <ros/ros.h>
 
@@ -23,6 +25,12 @@ int node_main(Run run)
     ROS_FATAL("%s", error.what());
     return 2;
   }
+}
+
+/// Says on the console and in the log what a person should know, and what stops nothing.
+inline void warn(const std::vector<std::string>& notes)
+{
+  for (const std::string& note : notes) ROS_WARN("%s", note.c_str());
 }
 
 }  // namespace fourwis

@@ -244,6 +244,18 @@ TEST_F(PlanCommand, LimitsThatAreNoneAreStatusTwoByNameValueAndRange)
     }
 }
 
+TEST_F(PlanCommand, AnOlderFileGoesOnWorkingAndWhatItLacksIsTold)
+{
+  std::ofstream(path("old robot.yaml")) << "length: 8e-1\nmax_steering_angle: deg(25)\n";
+  const Outcome outcome = run(easy() + Words{"--robot", path("old robot.yaml")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(
+      outcome.err.find("plan: " + path("old robot.yaml") + ": missing parameters take their defaults: width = 0.62"),
+      0u)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("\nplan: succeeded"), std::string::npos) << outcome.err;
+}
+
 TEST_F(PlanCommand, AMillimetreIsPlanned)
 {
   for (const std::string goal : {"1.501,1.5,0", "1.5,1.501,0", "1.5,1.5,0.001", "1.5,1.5,0"})

@@ -87,15 +87,33 @@ TEST(NodeParameters, each_key_sets_what_it_names)
   EXPECT_EQ(read.planner.planner_patience, 7.0);
 }
 
-TEST(NodeParameters, every_key_of_the_shipped_files_is_missed_when_it_is_not_there)
+TEST(NodeParameters, a_missing_key_takes_its_default_and_is_told_with_it)
 {
+  EXPECT_TRUE(global_planner_parameters_from(shipped()).defaults.empty());
   for (const auto& [key, value] : shipped())
   {
     ParameterMap parameters = shipped();
     parameters.erase(key);
-    const std::string name = key.substr(key.find('/') == std::string::npos ? 0 : key.find('/') + 1);
-    EXPECT_TRUE(says(error_of<ConfigError>([&] { global_planner_parameters_from(parameters); }), name));
+    const GlobalPlannerParameters read = global_planner_parameters_from(parameters);
+    ASSERT_EQ(read.defaults.size(), 1u) << key;
+    const std::size_t slash = key.find('/');
+    const std::string group = slash == std::string::npos ? "" : "in '" + key.substr(0, slash) + "': ";
+    EXPECT_EQ(
+        read.defaults[0].rfind(group + "missing parameters take their defaults: " + key.substr(slash + 1) + " = ", 0),
+        0u)
+        << read.defaults[0];
   }
+}
+
+TEST(NodeParameters, nothing_given_is_all_defaults_told_group_by_group)
+{
+  const GlobalPlannerParameters read = global_planner_parameters_from({});
+  EXPECT_EQ(read.robot.length, Robot().length);
+  EXPECT_EQ(read.planner.planner_patience, PlannerOptions().planner_patience);
+  ASSERT_EQ(read.defaults.size(), 3u);
+  EXPECT_TRUE(says(read.defaults[0], "in 'robot': missing parameters take their defaults: length = 1, width = 0.62, "));
+  EXPECT_TRUE(says(read.defaults[1], "in 'planner': missing"));
+  EXPECT_TRUE(says(read.defaults[2], "modes = ackermann,lateral,parallel"));
 }
 
 TEST(NodeParameters, an_unknown_key_is_refused_by_name_wherever_it_is)

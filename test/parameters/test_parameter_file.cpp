@@ -98,7 +98,7 @@ TEST_F(ParameterFile, MissingFileAndDirectoryAreRejectedByName)
 
 TEST_F(ParameterFile, RejectedContentsNameTheFile)
 {
-  const std::string path = write("length: 1.0\n");
+  const std::string path = write("breadth: 1.0\n");
   for (const auto& read :
        std::vector<std::function<void()>>{[&] { read_robot_file(path); }, [&] { read_planner_file(path); }})
   {
@@ -112,6 +112,36 @@ TEST_F(ParameterFile, RejectedContentsNameTheFile)
       EXPECT_EQ(std::string(error.what()).find(path + ": "), 0u) << error.what();
     }
   }
+}
+
+TEST_F(ParameterFile, KeysThatAreMissingAreToldWithTheirDefaults)
+{
+  std::string defaults;
+  const std::string path = write("length: 1.25\nwidth: 0.7\nwheelbase: 0.9\n");
+  const Robot robot = read_robot_file(path, &defaults);
+  EXPECT_EQ(robot.length, 1.25);
+  EXPECT_EQ(robot.track_width, Robot().track_width);
+  EXPECT_EQ(defaults.find(path + ": missing parameters take their defaults: "), 0u) << defaults;
+  EXPECT_TRUE(contains(defaults, "track_width = 0.52")) << defaults;
+  EXPECT_FALSE(contains(defaults, "length")) << defaults;
+
+  defaults.clear();
+  read_robot_file(kRobotFile, &defaults);
+  EXPECT_EQ(defaults, "");
+}
+
+TEST_F(ParameterFile, ValuesThatOthersReadOtherwiseAreRejectedByNameAndLine)
+{
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"a: 1\nb: 2147483648\n", ":2: parameter 'b' is 2147483648, expected a whole number of at most 31 bits, or one"},
+      {"a: -0x80000001\n", ":1: parameter 'a' is -0x80000001, expected a whole number of at most 31 bits"},
+      {"a: deg(pi)\n", ":1: parameter 'a' is deg(pi), expected a number of degrees"},
+      {"a: rad(2**3)\n", ":1: parameter 'a' is rad(2**3), expected radians: numbers and pi"},
+      {"a: rad(1/0)\n", ":1: parameter 'a' is rad(1/0), expected radians: numbers and pi"},
+      {"a: !metres 30\n", ":1: parameter 'a' is 30 with the tag !metres, expected a value without a tag"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_TRUE(contains(refusal(text), expected)) << refusal(text);
+  EXPECT_EQ(refusal("a: -2147483648\nb: 2147483647\n"), "");
 }
 
 TEST_F(ParameterFile, ShippedFilesAreReadWhole)

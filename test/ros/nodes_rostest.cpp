@@ -78,6 +78,13 @@ void expect_same(const nav_msgs::OccupancyGrid& map, const OccupancyGrid& grid)
   EXPECT_EQ(published.data, grid.data);
 }
 
+/// What a latched topic says to a subscriber that comes when the node already runs; null when it has another type.
+template <class Message>
+boost::shared_ptr<const Message> said_on(const std::string& topic)
+{
+  return Inbox<Message>(topic).wait_for_any();
+}
+
 TEST(GlobalPlannerNode, a_bad_parameter_stops_it_naming_key_value_and_range)
 {
   expect_refused({{"robot/length", -1.0}}, {"'length'", "-1", "0.05 to 20"});
@@ -91,19 +98,18 @@ TEST(GlobalPlannerNode, an_unknown_parameter_stops_it_by_name)
   expect_refused({{"goal_tolerance", 0.1}}, {"unknown", "'goal_tolerance'", "0.1"});
 }
 
-TEST(GlobalPlannerNode, a_missing_parameter_stops_it_by_name)
+TEST(GlobalPlannerNode, a_missing_parameter_takes_its_default_and_is_said_so)
 {
   ros::param::del("/bare");
-  set_parameters("/bare", read_parameter_file(kConfig + "global_planner.yaml"));
-  expect_ends_with("global_planner_node", {"__name:=bare"}, "wheelbase");
-  expect_ends_with("global_planner_node", {"__name:=naked"}, "in 'robot': missing parameter length, width");
-}
-
-/// What a latched topic says to a subscriber that comes when the node already runs; null when it has another type.
-template <class Message>
-boost::shared_ptr<const Message> said_on(const std::string& topic)
-{
-  return Inbox<Message>(topic).wait_for_any();
+  ros::param::set("/bare/robot/length", 1.25);
+  ros::param::set("/bare/robot/width", std::string("7e-1"));  // as PyYAML has it
+  NodeProcess node("global_planner_node", {"__name:=bare"});
+  EXPECT_TRUE(said_on<PlannerStatus>("/bare/planner_status"));
+  node.terminate();
+  const std::string output = node.read_to_end();
+  EXPECT_NE(output.find("in 'robot': missing parameters take their defaults: wheelbase = 0.68"), std::string::npos)
+      << output;
+  EXPECT_NE(output.find("in 'planner': missing"), std::string::npos) << output;
 }
 
 TEST(GlobalPlannerNode, tells_its_status_on_both_topics_where_the_name_is_not_the_actions)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fourwis_navigation/parameters/node_options.h"
 #include "fourwis_navigation/parameters/parameters.h"
@@ -8,8 +9,8 @@
 namespace fourwis
 {
 
-// The whole private namespace of each node. What reads one throws ConfigError for an unknown, missing or out-of-range key,
-// and names the group where it is in one.
+// The whole private namespace of each node. What reads one throws ConfigError for an unknown or out-of-range key, and names
+// the group where it is in one. Missing keys take their defaults; `defaults` has a sentence for each group with such keys.
 
 /// Everything that global_planner_node is configured with.
 struct GlobalPlannerParameters
@@ -17,6 +18,7 @@ struct GlobalPlannerParameters
   Robot robot;
   PlannerOptions planner;
   GlobalPlannerOptions node;
+  std::vector<std::string> defaults;
 };
 
 /// Its own keys, `robot/...` and `planner/...`.
@@ -28,6 +30,7 @@ struct MpcControllerParameters
   Robot robot;
   TrackOptions track;
   MpcControllerOptions node;
+  std::vector<std::string> defaults;
 };
 
 /// Its own keys, `robot/...` and `mpc/...`.
@@ -39,6 +42,7 @@ struct CanBridgeParameters
   Robot robot;
   can::BridgeOptions bridge;
   CanBridgeNodeOptions node;
+  std::vector<std::string> defaults;
 };
 
 /// Its own keys, `robot/...` and `can_bridge/...`.
@@ -51,6 +55,7 @@ struct BaseSimulatorParameters
   SimulatorOptions simulator;
   BaseSimulatorNodeOptions node;
   can::BridgeOptions bridge;  ///< what drives there are on the bus
+  std::vector<std::string> defaults;
 };
 
 /// Its own keys, `robot/...`, `simulator/...` and, where there is a bus, `can_bridge/...`.

@@ -28,8 +28,8 @@ using ParameterMap = std::map<std::string, ParameterValue>;
 /// Reads a YAML file. Throws ConfigError naming the file and the line.
 ParameterMap read_parameter_file(const std::string& path);
 
-/// Every key of `config/robot.yaml`, once, in range; throws ConfigError for an unknown, missing or out-of-range key.
-/// The keys are the names of Robot's members, SI units and radians.
+/// The keys of `config/robot.yaml` are the names of Robot's members, SI units and radians. One that is missing takes its
+/// default, so that files of older versions go on working. Throws ConfigError for an unknown or out-of-range key.
 Robot robot_from(const ParameterMap& parameters);
 
 /// Likewise for `config/planner.yaml` and PlannerOptions. Whether the options fit together, Planner says.
@@ -44,11 +44,12 @@ SimulatorOptions simulator_options_from(const ParameterMap& parameters);
 /// Likewise for `config/can_bridge.yaml` and BridgeOptions. Whether the options fit together, Bridge says.
 can::BridgeOptions bridge_options_from(const ParameterMap& parameters);
 
-/// Both steps for a file; every ConfigError also names the file.
-Robot read_robot_file(const std::string& path);
-PlannerOptions read_planner_file(const std::string& path);
-TrackOptions read_track_file(const std::string& path);
-SimulatorOptions read_simulator_file(const std::string& path);
-can::BridgeOptions read_bridge_file(const std::string& path);
+/// Both steps for a file; every ConfigError also names the file. Where keys are missing, `defaults` is set to a sentence with
+/// them and their values.
+Robot read_robot_file(const std::string& path, std::string* defaults = nullptr);
+PlannerOptions read_planner_file(const std::string& path, std::string* defaults = nullptr);
+TrackOptions read_track_file(const std::string& path, std::string* defaults = nullptr);
+SimulatorOptions read_simulator_file(const std::string& path, std::string* defaults = nullptr);
+can::BridgeOptions read_bridge_file(const std::string& path, std::string* defaults = nullptr);
 
 }  // namespace fourwis

@@ -8,6 +8,7 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "base_simulator");
   return fourwis::node_main([] {
     const auto parameters = fourwis::base_simulator_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
+    fourwis::warn(parameters.defaults);
     if (parameters.node.bus == fourwis::kDirect)
     {
       const fourwis::SimulatedRobot robot(parameters);

@@ -25,7 +25,9 @@ int main(int argc, char** argv)
   std::signal(SIGINT, ask_to_end);
   std::signal(SIGTERM, ask_to_end);
   return fourwis::node_main([] {
-    fourwis::CanBridge bridge(fourwis::can_bridge_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
+    const auto parameters = fourwis::can_bridge_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
+    fourwis::warn(parameters.defaults);
+    fourwis::CanBridge bridge(parameters);
     ros::AsyncSpinner spinner(2);
     spinner.start();
     while (ros::ok() && !asked_to_end) ros::WallDuration(0.02).sleep();

@@ -6,8 +6,9 @@ int main(int argc, char** argv)
 {
   ros::init(argc, argv, "global_planner");
   return fourwis::node_main([] {
-    const fourwis::GlobalPlanner planner(
-        fourwis::global_planner_parameters_from(fourwis::read_parameters(ros::NodeHandle("~"))));
+    const auto parameters = fourwis::global_planner_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
+    fourwis::warn(parameters.defaults);
+    const fourwis::GlobalPlanner planner(parameters);
     ros::spin();
   });
 }
