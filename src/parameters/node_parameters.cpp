@@ -88,6 +88,32 @@ const std::vector<std::string> kOfDiagnosticsAndAction = {"diagnostic_period",
                                                           "actionlib_server_pub_queue_size",
                                                           "actionlib_server_sub_queue_size"};
 
+/// What these options and the robot say of each other, which two files hold.
+template <class Options>
+void check_with_robot(const Robot& robot, const std::string& group, const Options& options)
+{
+  try
+  {
+    check(robot, options);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    reject<ConfigError>("in 'robot' and '", group, "': ", error.what());
+  }
+}
+
+/// A robot that brakes from its greatest speed must not be taken for one that does not stop.
+void check_patience(const Robot& robot, const GlobalPlannerOptions& options)
+{
+  constexpr double kSeenLate = 1.0;  // the controller counts a robot as at rest this long after it should be [s]
+  const double needed = robot.max_speed / robot.max_acceleration + kSeenLate;
+  if (!options.wait_for_controller || options.controller_patience >= needed) return;
+  reject<ConfigError>("parameter 'controller_patience' is ", to_text(options.controller_patience),
+                      ", expected at least ", to_text(needed), " s: in 'robot', 'max_speed' is ",
+                      to_text(robot.max_speed), " m/s and 'max_acceleration' ", to_text(robot.max_acceleration),
+                      " m/s^2");
+}
+
 /// Defaults for what is missing but one key, which must be there and not empty.
 template <class Options>
 void set_with_defaults(const ParameterMap& given, Options& options, std::string Options::*needed,
@@ -117,6 +143,7 @@ GlobalPlannerParameters global_planner_parameters_from(const ParameterMap& param
   result.planner = given.group("planner", planner_options_from);
   result.node = given.own<GlobalPlannerOptions>();
   result.defaults = given.defaults();
+  check_patience(result.robot, result.node);
   return result;
 }
 
@@ -128,6 +155,7 @@ MpcControllerParameters mpc_controller_parameters_from(const ParameterMap& param
   result.track = given.group("mpc", track_options_from);
   result.node = given.own<MpcControllerOptions>();
   result.defaults = given.defaults();
+  check_with_robot(result.robot, "mpc", result.track);
   return result;
 }
 
@@ -139,6 +167,7 @@ CanBridgeParameters can_bridge_parameters_from(const ParameterMap& parameters)
   result.bridge = given.group("can_bridge", bridge_options_from);
   result.node = given.own<CanBridgeNodeOptions>();
   result.defaults = given.defaults();
+  check_with_robot(result.robot, "can_bridge", result.bridge);
   result.node.frames.wheel_radius = result.bridge.wheel_radius;
   return result;
 }
@@ -149,10 +178,15 @@ BaseSimulatorParameters base_simulator_parameters_from(const ParameterMap& param
   BaseSimulatorParameters result;
   result.robot = given.group("robot", robot_from);
   result.simulator = given.group("simulator", simulator_options_from);
-  if (given.differs("bus", kDirect)) result.bridge = given.group("can_bridge", bridge_options_from);
+  const bool has_bus = given.differs("bus", kDirect);
+  if (has_bus) result.bridge = given.group("can_bridge", bridge_options_from);
   result.node = given.own<BaseSimulatorNodeOptions>();
   result.defaults = given.defaults();
   check_configuration(result.node);
+  if (has_bus)
+    check_with_robot(result.robot, "can_bridge", result.bridge);
+  else
+    check_with_robot(result.robot, "simulator", result.simulator);
   return result;
 }
 

@@ -14,6 +14,12 @@ namespace
 
 constexpr OptionRange kDurations{0.0, 1e6, "s"};
 
+const SimulatorOptions& checked(const Robot& robot, const SimulatorOptions& options)
+{
+  check(robot, options);
+  return options;
+}
+
 bool is_usable(const WheelCommand& command)
 {
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -25,8 +31,8 @@ bool is_usable(const WheelCommand& command)
 }  // namespace
 
 BaseSimulator::BaseSimulator(const Robot& robot, const SimulatorOptions& options)
-  : options_(checked(options)),
-    max_speed_(checked(robot).wheel_max_speed),
+  : options_(checked(robot, options)),
+    max_speed_(robot.wheel_max_speed),
     plant_(robot, options.actuators, options.slip),
     encoders_(options.encoders, options.seed),
     interlock_(options.interlock)

@@ -1,6 +1,7 @@
 #include "fourwis_navigation/sim/simulator_options.h"
 
 #include "fourwis_navigation/model/option_check.h"
+#include "fourwis_navigation/vehicle/alignment.h"
 
 namespace fourwis
 {
@@ -28,6 +29,15 @@ void check(const InterlockOptions& options)
 void check(const SimulatorOptions& options)
 {
   check_ranges(options);
+}
+
+void check(const Robot& robot, const SimulatorOptions& options)
+{
+  check(robot);
+  check(options);
+  const InterlockOptions& interlock = options.interlock;
+  check_alignment_timeout(robot, "alignment_timeout", interlock.alignment_timeout,
+                          interlock.aligned_time + options.actuators.steering_lag);
 }
 
 }  // namespace fourwis

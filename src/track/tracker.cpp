@@ -18,8 +18,7 @@ public:
 
 Tracker::Tracker(const Robot& robot, const TrackOptions& options)
 {
-  check(robot);
-  check(options);
+  check(robot, options);
   implementation_ = std::make_unique<Implementation>(robot, options);
 }
 

@@ -13,6 +13,9 @@ namespace fourwis
 namespace
 {
 
+/// Rounds what is printed with two digits up, so that it is enough.
+constexpr double kRoundUp = 0.005;
+
 /// The same for one mode that uses all of its steering angles. The farthest way begins at an end of the travel and leads to
 /// an end of the steering. From between two branches it is at most a quarter turn.
 double farthest_turn_to(const Robot& robot, Mode mode)
@@ -52,8 +55,7 @@ void check_alignment_timeout(const Robot& robot, const std::string& key, double 
       key, to_text(timeout),
       sentence("at least %.2f s: 'wheel_max_rate' is %s rad/s, and a wheel may have to turn by %.2f rad within "
                "its travel ('wheel_max_angle' is %s rad)",
-               std::ceil(100.0 * needed) / 100.0, to_text(robot.wheel_max_rate).c_str(), turn,
-               to_text(robot.wheel_max_angle).c_str()));
+               needed + kRoundUp, to_text(robot.wheel_max_rate).c_str(), turn, to_text(robot.wheel_max_angle).c_str()));
 }
 
 }  // namespace fourwis

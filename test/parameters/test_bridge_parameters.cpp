@@ -160,4 +160,37 @@ TEST(BridgeParameters, OptionsThatContradictEachOtherAreRejected)
   too_many_counts([](BridgeOptions& o) { o.driving[2].gear_ratio = 50.0, o.stop_deceleration = 1000.0; });
 }
 
+TEST(BridgeParameters, OptionsThatContradictTheRobotAreRejectedWithBothKeys)
+{
+  const auto said = [](auto change) {
+    Robot robot;
+    BridgeOptions options;
+    change(robot, options);
+    return error_of<std::invalid_argument>([&] { can::Bridge(robot, options); });
+  };
+  const std::string late = said([](Robot& r, BridgeOptions&) { r.wheel_max_rate = 0.4; });
+  EXPECT_TRUE(says(late, "'alignment_timeout' is 3, expected at least 9.04 s"));
+  EXPECT_TRUE(says(late, "'wheel_max_rate' is 0.4 rad/s"));
+  EXPECT_EQ(said([](Robot& r, BridgeOptions& o) { r.wheel_max_rate = 0.4, o.alignment_timeout = 9.04; }), "");
+  EXPECT_TRUE(says(said([](Robot&, BridgeOptions& o) { o.aligned_time = 2.0; }), "'alignment_timeout' is 3"));
+
+  EXPECT_TRUE(says(said([](Robot&, BridgeOptions& o) { o.protocol = can::Protocol::ranger; }),
+                   "'wheel_max_angle' is 2.792526803190927, expected at most 1.5708 rad where 'protocol' is 'ranger'"));
+  EXPECT_EQ(said([](Robot& r, BridgeOptions& o) { r.wheel_max_angle = M_PI_2, o.protocol = can::Protocol::ranger; }),
+            "");
+
+  EXPECT_TRUE(says(said([](Robot& r, BridgeOptions&) { r.max_acceleration = 12.1; }),
+                   "'max_acceleration' is 12, expected at least 'max_acceleration' of the robot (12.1 m/s^2)"));
+  EXPECT_EQ(said([](Robot& r, BridgeOptions&) { r.max_acceleration = 12.0; }), "");
+
+  const std::string rolls_on = said([](Robot&, BridgeOptions& o) { o.stop_deceleration = 0.5; });
+  EXPECT_TRUE(says(rolls_on, "'stop_timeout' is 3, expected at least 4.1"));
+  EXPECT_TRUE(says(rolls_on, "'wheel_max_speed' is 2 m/s and 'stop_deceleration' 0.5 m/s^2"));
+
+  const auto slow_homing = [](Robot& r, BridgeOptions& o) { r.wheel_max_rate = 2.0, o.homing = true; };
+  EXPECT_TRUE(says(said(slow_homing), "'homing_timeout' is 20, expected at least 27.93 s"));
+  EXPECT_TRUE(says(said(slow_homing), "'wheel_max_rate' (2 rad/s)"));
+  EXPECT_EQ(said([](Robot& r, BridgeOptions&) { r.wheel_max_rate = 2.0; }), "") << "no homing";
+}
+
 }  // namespace fourwis

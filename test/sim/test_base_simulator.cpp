@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "../drives/simulated_drive.h"
 #include "../support/random.h"
+#include "../support/refusals.h"
 #include "fourwis_navigation/vehicle/wheel_odometry.h"
 
 namespace fourwis
@@ -293,6 +295,18 @@ TEST(BaseSimulator, IsFollowedByTheOdometryOfItsWheels)
   }
   EXPECT_LT(distance(odometry.state().pose, robot.base.pose()), 0.002 * length);
   EXPECT_NEAR(odometry.state().pose.theta, robot.base.pose().theta, 0.002 * length);
+}
+
+TEST(BaseSimulator, RejectsWheelsThatCannotAlignInTime)
+{
+  Robot slow;
+  slow.wheel_max_rate = 0.4;
+  const std::string text = error_of<std::invalid_argument>([&] { BaseSimulator(slow, {}); });
+  EXPECT_TRUE(says(text, "'alignment_timeout' is 3, expected at least 9.06 s"));
+  EXPECT_TRUE(says(text, "'wheel_max_rate' is 0.4 rad/s"));
+  SimulatorOptions patient;
+  patient.interlock.alignment_timeout = 9.06;
+  EXPECT_NO_THROW(BaseSimulator(slow, patient));
 }
 
 TEST(BaseSimulator, RejectsInvalidOptionsAndTimes)

@@ -239,5 +239,20 @@ TEST(Tracker, RejectsOptionsAndRobotsOutOfRangeByName)
   EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { Tracker(robot, TrackOptions()); }), "'wheelbase' is 1.1"));
 }
 
+TEST(Tracker, RejectsOptionsThatContradictTheRobotWithBothKeys)
+{
+  const auto said = [](auto change) {
+    Robot robot;
+    change(robot);
+    return error_of<std::invalid_argument>([&] { Tracker(robot, TrackOptions()); });
+  };
+  const std::string late = said([](Robot& r) { r.wheel_max_rate = 0.4; });
+  EXPECT_TRUE(says(late, "'alignment_timeout' is 5, expected at least 9.03 s"));
+  EXPECT_TRUE(says(late, "'wheel_max_rate' is 0.4 rad/s"));
+  EXPECT_TRUE(says(said([](Robot& r) { r.max_speed = 0.05; }),
+                   "'correction_speed' is 0.1, expected at most 'max_speed' of the robot (0.05 m/s)"));
+  EXPECT_TRUE(says(said([](Robot& r) { r.wheel_max_speed = 0.05; }), "'wheel_max_speed' of the robot (0.05 m/s)"));
+}
+
 }  // namespace
 }  // namespace fourwis

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fourwis_navigation/model/robot.h"
+
 namespace fourwis
 {
 
@@ -114,6 +116,9 @@ void check(const SlipOptions& options);
 void check(const EncoderOptions& options);
 void check(const InterlockOptions& options);
 void check(const SimulatorOptions& options);
+
+/// The same, and where the wheels of the robot could not align in time.
+void check(const Robot& robot, const SimulatorOptions& options);
 
 /// What can go wrong with one wheel.
 struct WheelFault

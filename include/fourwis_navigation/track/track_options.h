@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fourwis_navigation/model/robot.h"
+
 namespace fourwis
 {
 
@@ -99,5 +101,8 @@ struct TrackOptions
 
 /// Throws std::invalid_argument naming key, value and range. Some ranges depend on other options.
 void check(const TrackOptions& options);
+
+/// The same, and where they contradict the robot.
+void check(const Robot& robot, const TrackOptions& options);
 
 }  // namespace fourwis

@@ -6,7 +6,6 @@
 #include "load_meter.h"
 #include "make_protocol.h"
 #include "motion.h"
-#include "options_check.h"
 #include "stop_procedure.h"
 
 namespace fourwis::can

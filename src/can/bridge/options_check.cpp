@@ -1,5 +1,3 @@
-#include "options_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,14 +5,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "fourwis_navigation/can/bridge/bridge_options.h"
 #include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/model/sentence.h"
+#include "fourwis_navigation/vehicle/alignment.h"
+#include "ranger_motion.h"
 #include "sdo_script.h"
 
 namespace fourwis::can
 {
 namespace
 {
+
+/// Rounds what is printed with two digits up, so that it is enough.
+constexpr double kRoundUp = 0.005;
 
 void check_nodes(const BridgeOptions& options)
 {
@@ -74,6 +78,45 @@ void check_heartbeats(const BridgeOptions& options)
                 options.heartbeat_timeout);
 }
 
+/// The angles of wheels beyond a quarter turn are none that the base can be told.
+void check_travel(const Robot& robot, const BridgeOptions& options)
+{
+  if (options.protocol == Protocol::ranger && robot.wheel_max_angle > kRangerTravel)
+    reject_option("wheel_max_angle", to_text(robot.wheel_max_angle),
+                  "at most 1.5708 rad where 'protocol' is 'ranger': its wheels turn by 90 deg to either side");
+}
+
+/// A stop must end before its timeout switches the drives off.
+void check_stop(const Robot& robot, const BridgeOptions& options)
+{
+  const double duration = robot.wheel_max_speed / options.stop_deceleration + options.standstill_time;
+  if (options.stop_timeout < duration)
+    reject_option(
+        "stop_timeout", to_text(options.stop_timeout),
+        sentence("at least %.2f s: 'wheel_max_speed' is %s m/s and 'stop_deceleration' %s m/s^2", duration + kRoundUp,
+                 to_text(robot.wheel_max_speed).c_str(), to_text(options.stop_deceleration).c_str()));
+}
+
+/// What is planned for the robot must not be more than the wheels are allowed.
+void check_acceleration(const Robot& robot, const BridgeOptions& options)
+{
+  if (options.max_acceleration < robot.max_acceleration)
+    reject_option("max_acceleration", to_text(options.max_acceleration),
+                  joined("at least 'max_acceleration' of the robot (", to_text(robot.max_acceleration), " m/s^2)"));
+}
+
+/// The search for the zero may lead through the whole travel.
+void check_homing_time(const Robot& robot, const BridgeOptions& options)
+{
+  const double duration = 2.0 * robot.wheel_max_angle / homing_rate(robot);
+  if (options.homing && options.homing_timeout < duration)
+    reject_option(
+        "homing_timeout", to_text(options.homing_timeout),
+        sentence("at least %.2f s: drives search at a tenth of 'wheel_max_rate' (%s rad/s), and "
+                 "'wheel_max_angle' is %s rad",
+                 duration + kRoundUp, to_text(robot.wheel_max_rate).c_str(), to_text(robot.wheel_max_angle).c_str()));
+}
+
 }  // namespace
 
 void check(const BridgeOptions& options)
@@ -93,6 +136,11 @@ void check(const Robot& robot, const BridgeOptions& options)
   check(options);
   for (const AxisOptions& axis : options.steering) check_counts(robot, options, axis, true);
   for (const AxisOptions& axis : options.driving) check_counts(robot, options, axis, false);
+  check_travel(robot, options);
+  check_acceleration(robot, options);
+  check_stop(robot, options);
+  check_homing_time(robot, options);
+  check_alignment_timeout(robot, "alignment_timeout", options.alignment_timeout, options.aligned_time);
 }
 
 }  // namespace fourwis::can

@@ -18,8 +18,6 @@ constexpr double kStateTimeout = 0.35, kWheelsTimeout = 0.1;
 constexpr double kCommandPeriod = 0.015;
 /// The base stands when all wheels are slower than this [m/s].
 constexpr double kStands = 0.01;
-/// Greatest steering angle of the base in parallel mode, to either side [rad].
-constexpr double kParallelTravel = M_PI / 2.0 + 1e-3;
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 /// The number of the vehicle's state `failure`, and the identifiers of commands, which only another master would send.
 constexpr std::uint8_t kFailure = 2;
@@ -169,9 +167,9 @@ RangerMotion RangerBase::motion_of(const DriveDemand& demand, double now) const
   const bool held = told_ && (!follows_ || moves(*told_) || rolls());
   const RangerMotion motion = kinematics_.base_motion(demand.mode, demand.motion, held ? told_->steering : 0.0);
   const bool too_far =
-      kinematics_.base_mode(demand.mode) == RangerMode::parallel && std::abs(motion.steering) > kParallelTravel;
+      kinematics_.base_mode(demand.mode) == RangerMode::parallel && std::abs(motion.steering) > kRangerTravel;
   if (too_far && follows_) report_(Fault::unsupported_motion, static_cast<std::uint32_t>(demand.mode), now);
-  if (too_far) return standing(std::copysign(kParallelTravel, motion.steering));
+  if (too_far) return standing(std::copysign(kRangerTravel, motion.steering));
   return follows_ && !is_turning(demand.mode) ? motion : standing(motion.steering);
 }
 

@@ -139,9 +139,9 @@ void add_travel(SdoScript& script, const AxisScale& scale, double max_angle)
   script.push_back(write_if_there({0x607D, 2}, static_cast<std::uint32_t>(greatest), 4));
 }
 
-void add_homing(SdoScript& script, const AxisScale& scale, int method, double steering_rate)
+void add_homing(SdoScript& script, const AxisScale& scale, int method, double rate)
 {
-  const std::uint32_t fast = magnitude(scale, steering_rate / kHomingSlowness);
+  const std::uint32_t fast = magnitude(scale, rate);
   script.push_back(write({0x6098, 0}, static_cast<std::uint32_t>(method), 1));
   script.back().compared = 0xFF;
   script.push_back(write_if_there({0x6099, 1}, fast, 4));
@@ -163,6 +163,11 @@ Ramps ramps_of(const Robot& robot, const BridgeOptions& options, bool steering)
   const double steering_stop = robot.wheel_max_rate / kSteeringStopTime;
   if (steering) return {robot.wheel_max_rate, steering_stop, steering_stop};
   return {robot.wheel_max_speed, options.max_acceleration, options.stop_deceleration};
+}
+
+double homing_rate(const Robot& robot)
+{
+  return robot.wheel_max_rate / kHomingSlowness;
 }
 
 AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool steering)
@@ -190,7 +195,7 @@ SdoScript configuration_script(const Robot& robot, const BridgeOptions& options,
   if (steering)
   {
     add_travel(script, scale, robot.wheel_max_angle);
-    if (options.homing) add_homing(script, scale, options.homing_method, robot.wheel_max_rate);
+    if (options.homing) add_homing(script, scale, options.homing_method, homing_rate(robot));
   }
   add_cycle_time(script, options);
   add_watchdogs(script, options);

@@ -51,6 +51,9 @@ struct Ramps
 };
 Ramps ramps_of(const Robot& robot, const BridgeOptions& options, bool steering);
 
+/// How fast a steering drive searches its zero at first [rad/s].
+double homing_rate(const Robot& robot);
+
 /// The conversion of its counts.
 AxisScale scale_of(const BridgeOptions& options, const AxisOptions& axis, bool steering);
 

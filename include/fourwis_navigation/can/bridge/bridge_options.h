@@ -193,4 +193,7 @@ private:
 /// other.
 void check(const BridgeOptions& options);
 
+/// The same, and where they contradict the robot or ask for more than a drive's numbers can say.
+void check(const Robot& robot, const BridgeOptions& options);
+
 }  // namespace fourwis::can
