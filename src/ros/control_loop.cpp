@@ -9,6 +9,7 @@
 #include <ros/console.h>
 
 #include "drive_conversions.h"
+#include "fourwis_navigation/model/fingerprint.h"
 #include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/track/step_number.h"
 #include "stamps.h"
@@ -32,6 +33,7 @@ bool is_stop_due(const ros::Time& due, const ros::Time& now)
 
 ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused)
   : parameters_(parameters),
+    fingerprint_(fingerprint(parameters.robot)),
     odometry_pose_(parameters.node.global_frame, parameters.node.robot_base_frame, parameters.node.transform_tolerance,
                    tf),
     refused_(std::move(refused))
@@ -65,6 +67,7 @@ void ControlLoop::take_stop(const ros::Time& stamp)
 void ControlLoop::take_to_drive(const fourwis_navigation::ModeTrajectory& trajectory)
 {
   check(trajectory.header);
+  check_robot(trajectory.fingerprint);
   next_ = WaitingTrajectory{trajectory.header.stamp, to_trajectory(trajectory)};
 }
 
@@ -80,6 +83,14 @@ void ControlLoop::check(const std_msgs::Header& header) const
   if (const double wait = seconds_between(newest_, header.stamp); wait > kLongestWait)
     reject<ConversionError>("trajectory: is to begin ", wait, " s after the newest odometry, expected at most ",
                             kLongestWait, " s");
+}
+
+void ControlLoop::check_robot(const std::string& planned_for) const
+{
+  if (planned_for == fingerprint_) return;
+  reject<ConversionError>("trajectory: ", planned_for.empty() ? "names no robot" : "was planned for another robot",
+                          ": fingerprint is '", planned_for, "', expected '", fingerprint_,
+                          "', that of the controller's robot; give planner and controller the same robot.yaml");
 }
 
 std::optional<ControlStep> ControlLoop::measured(const nav_msgs::Odometry& odometry,

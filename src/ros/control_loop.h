@@ -42,9 +42,8 @@ public:
   ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused);
 
   /// A trajectory begins, and an empty one stops, with the first step that is not before its stamp. What comes while a
-  /// stop waits does not postpone it. Refused: one in
-  /// another frame, one that the tracker refuses, one stamped before this loop's first measurement (it is left over
-  /// from an earlier drive) or far ahead of the newest.
+  /// stop waits does not postpone it. Refused: one in another frame or for another robot, one that the tracker refuses,
+  /// one stamped before this loop's first measurement (it is left over from an earlier drive) or far ahead of the newest.
   /// Returns whether it is not refused right away.
   bool take(const fourwis_navigation::ModeTrajectory& trajectory);
 
@@ -82,12 +81,14 @@ private:
   void take_stop(const ros::Time& stamp);
   void take_to_drive(const fourwis_navigation::ModeTrajectory& trajectory);
   void check(const std_msgs::Header& header) const;
+  void check_robot(const std::string& planned_for) const;
   void stop_or_start(const ros::Time& now);
   void start(const WaitingTrajectory& due);
   void locate(const nav_msgs::Odometry& odometry);
   ControlStep step(const ros::Time& now);
 
   const MpcControllerParameters parameters_;
+  const std::string fingerprint_;  ///< of the robot
   const OdometryPose odometry_pose_;
   const Refused refused_;
   std::optional<Tracker> tracker_;  ///< replaced when time goes back

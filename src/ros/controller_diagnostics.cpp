@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fourwis_navigation/model/fingerprint.h"
 #include "tracking_marker.h"
 
 namespace fourwis
@@ -11,7 +12,7 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 using fourwis_navigation::Tracking;
 
-ControllerDiagnostics::ControllerDiagnostics()
+ControllerDiagnostics::ControllerDiagnostics(const Robot& robot) : fingerprint_(fingerprint(robot))
 {
   updater_.setHardwareID("none");
   updater_.add("tracking", [this](DiagnosticStatusWrapper& status) { report(status); });
@@ -28,6 +29,7 @@ void ControllerDiagnostics::stepped(const Tracking& tracking)
 
 void ControllerDiagnostics::report(DiagnosticStatusWrapper& status)
 {
+  status.add("fingerprint of the robot", fingerprint_);
   if (!last_)
   {
     status.summary(DiagnosticStatus::WARN, "no odometry and wheel states of one stamp received yet");

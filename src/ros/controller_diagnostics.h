@@ -7,6 +7,7 @@
 #include <ros/wall_timer.h>
 
 #include "fourwis_navigation/Tracking.h"
+#include "fourwis_navigation/model/robot.h"
 
 namespace fourwis
 {
@@ -16,7 +17,7 @@ namespace fourwis
 class ControllerDiagnostics
 {
 public:
-  ControllerDiagnostics();
+  explicit ControllerDiagnostics(const Robot& robot);
 
   void stepped(const fourwis_navigation::Tracking& tracking);
   void refused(const std::string& message) { refusal_ = message; }
@@ -24,6 +25,7 @@ public:
 private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
+  const std::string fingerprint_;  ///< of the robot
   std::optional<fourwis_navigation::Tracking> last_;
   std::string refusal_;      ///< of the trajectory that came last; empty when it was taken
   double slowest_ms_ = 0.0;  ///< control step since the last report

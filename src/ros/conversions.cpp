@@ -1,5 +1,6 @@
 #include "conversions.h"
 
+#include "fourwis_navigation/model/fingerprint.h"
 #include "fourwis_navigation/model/sentence.h"
 
 #include <cmath>
@@ -177,10 +178,12 @@ nav_msgs::OccupancyGrid to_message(const OccupancyGrid& grid, const std_msgs::He
   return message;
 }
 
-fourwis_navigation::ModeTrajectory to_message(const Trajectory& trajectory, const std_msgs::Header& header)
+fourwis_navigation::ModeTrajectory to_message(const Robot& robot, const Trajectory& trajectory,
+                                              const std_msgs::Header& header)
 {
   fourwis_navigation::ModeTrajectory message;
   message.header = header;
+  message.fingerprint = fingerprint(robot);
   message.points.reserve(trajectory.size());
   for (const TrajectoryPoint& point : trajectory)
   {

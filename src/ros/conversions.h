@@ -65,7 +65,9 @@ geometry_msgs::Pose to_message(const Pose& pose);
 geometry_msgs::TransformStamped to_message(const Pose& pose, const std_msgs::Header& header, const std::string& child);
 geometry_msgs::Twist to_message(const Twist& twist);
 nav_msgs::OccupancyGrid to_message(const OccupancyGrid& grid, const std_msgs::Header& header);
-fourwis_navigation::ModeTrajectory to_message(const Trajectory& trajectory, const std_msgs::Header& header);
+/// `robot` is the one that it was planned for.
+fourwis_navigation::ModeTrajectory to_message(const Robot& robot, const Trajectory& trajectory,
+                                              const std_msgs::Header& header);
 fourwis_navigation::PlanMetrics to_message(const PlanMetrics& metrics);
 
 /// The poses of a trajectory's points.

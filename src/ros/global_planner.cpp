@@ -17,11 +17,11 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
           [this](const std::string& message) { topics_.publish_refusal({}, message); }),
     planner_(Planner(parameters.planner), maps_,
              parameters.node.show_expansions || parameters.node.show_corridors || parameters.node.show_iterations),
-    diagnostics_(maps_, topics_),
+    diagnostics_(parameters.robot, maps_, topics_),
     drive_(parameters.node.controller_patience),
     execution_(parameters.node, poses_, maps_, planner_, drive_, topics_),
     goals_(parameters.node, poses_, execution_, topics_),
-    services_(poses_, planner_, parameters.node.modes, goals_, topics_)
+    services_(parameters.robot, poses_, planner_, parameters.node.modes, goals_, topics_)
 {
   ros::NodeHandle node;
   map_subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(

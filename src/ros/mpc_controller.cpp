@@ -16,6 +16,7 @@ MpcController::MpcController(const MpcControllerParameters& parameters)
   : global_frame_(parameters.node.global_frame),
     tf_listener_(tf_, node_, false),
     topics_(parameters.robot, parameters.node, [this](const std::string& node) { on_listener_left(node); }),
+    diagnostics_(parameters.robot),
     loop_(parameters, tf_,
           [this](const ros::Time& trajectory, const std::string& message) {
             topics_.publish_refusal(trajectory, message);

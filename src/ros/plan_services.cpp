@@ -9,9 +9,10 @@ namespace fourwis
 
 using fourwis_navigation::PlanTrajectory;
 
-PlanServices::PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, GoalServer& goals,
-                           const PlannerTopics& topics)
-  : poses_(poses),
+PlanServices::PlanServices(const Robot& robot, const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes,
+                           GoalServer& goals, const PlannerTopics& topics)
+  : robot_(robot),
+    poses_(poses),
     planner_(planner),
     modes_(modes),
     goals_(goals),
@@ -65,7 +66,7 @@ void PlanServices::plan_trajectory(const PlanTrajectory::Request& request, PlanT
     response.message = result.message;
     response.metrics = to_message(result.metrics);
     response.map_stamp = answer.map_stamp;
-    if (response.success) response.trajectory = to_message(result.trajectory, response.trajectory.header);
+    if (response.success) response.trajectory = to_message(robot_, result.trajectory, response.trajectory.header);
   }
   catch (const ConversionError& error)
   {

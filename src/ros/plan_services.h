@@ -25,9 +25,9 @@ namespace fourwis
 class PlanServices
 {
 public:
-  /// All must outlive this.
-  PlanServices(const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes, GoalServer& goals,
-               const PlannerTopics& topics);
+  /// All but robot and modes must outlive this.
+  PlanServices(const Robot& robot, const PoseSource& poses, const MapPlanner& planner, const ModeSet& modes,
+               GoalServer& goals, const PlannerTopics& topics);
   /// Cancels what runs.
   ~PlanServices();
   PlanServices(const PlanServices&) = delete;
@@ -41,6 +41,7 @@ private:
   Pose start_pose(const geometry_msgs::PoseStamped& start) const;
   PlanAnswer plan(const PlanRequest& request);
 
+  const Robot robot_;
   const PoseSource& poses_;
   const MapPlanner& planner_;
   const ModeSet modes_;

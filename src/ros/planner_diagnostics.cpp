@@ -1,6 +1,7 @@
 #include "planner_diagnostics.h"
 
 #include "conversions.h"
+#include "fourwis_navigation/model/fingerprint.h"
 
 namespace fourwis
 {
@@ -9,7 +10,10 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 using fourwis_navigation::PlannerStatus;
 
-PlannerDiagnostics::PlannerDiagnostics(const MapStore& maps, const PlannerTopics& topics) : maps_(maps), topics_(topics)
+PlannerDiagnostics::PlannerDiagnostics(const Robot& robot, const MapStore& maps, const PlannerTopics& topics)
+  : fingerprint_(fingerprint(robot)),
+    maps_(maps),
+    topics_(topics)
 {
   updater_.setHardwareID("none");
   updater_.add("map", [this](DiagnosticStatusWrapper& status) { report_map(status); });
@@ -40,6 +44,7 @@ void PlannerDiagnostics::report_plan(DiagnosticStatusWrapper& status) const
   const PlannerStatus last = topics_.last_status();
   status.summary(last.state == PlannerStatus::FAILED ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                  last.status + ": " + last.message);
+  status.add("fingerprint of the robot", fingerprint_);
   status.add("expansions", last.metrics.expansions);
   status.add("total [ms]", last.metrics.total_ms);
 }

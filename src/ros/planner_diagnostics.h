@@ -15,13 +15,14 @@ namespace fourwis
 class PlannerDiagnostics
 {
 public:
-  /// Both must outlive this.
-  PlannerDiagnostics(const MapStore& maps, const PlannerTopics& topics);
+  /// Maps and topics must outlive this.
+  PlannerDiagnostics(const Robot& robot, const MapStore& maps, const PlannerTopics& topics);
 
 private:
   void report_map(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   void report_plan(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
+  const std::string fingerprint_;  ///< of the robot
   const MapStore& maps_;
   const PlannerTopics& topics_;
   diagnostic_updater::Updater updater_;

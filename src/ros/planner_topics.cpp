@@ -111,7 +111,7 @@ void PlannerTopics::publish_trajectory(const Trajectory& trajectory, const ros::
 {
   std_msgs::Header named = header();
   named.stamp = begin;
-  trajectory_.publish(to_message(trajectory, named));
+  trajectory_.publish(to_message(robot_, trajectory, named));
 }
 
 void PlannerTopics::publish_failure_markers(const PlanAnswer& answer)

@@ -55,7 +55,7 @@ protected:
     std_msgs::Header header;
     header.frame_id = "map";
     header.stamp = ros::Time::now();
-    trajectory_.publish(to_message(trajectory, header));
+    trajectory_.publish(to_message(Robot(), trajectory, header));
     return header.stamp;
   }
   ros::Time stop() { return send(Trajectory()); }

@@ -128,7 +128,7 @@ TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_o
   const auto message = [&](const std::string& frame, double seconds) {
     header.frame_id = frame;
     header.stamp = ros::Time::now() + ros::Duration(seconds);
-    return to_message(trajectory, header);
+    return to_message(Robot(), trajectory, header);
   };
 
   expect_refused(message("odom", 0.0), "header.frame_id is 'odom', expected global_frame = 'map'");
@@ -138,6 +138,9 @@ TEST_F(Driving, a_trajectory_that_makes_no_sense_is_refused_and_the_drive_goes_o
   ModeTrajectory bad = message("map", 0.0);
   bad.points[1].theta = kNaN;
   expect_refused(bad, "point 1: holds something that is no finite number");
+  bad = message("map", 0.0);
+  bad.fingerprint = "0123456789abcdef";
+  expect_refused(bad, "was planned for another robot: fingerprint is '0123456789abcdef'");
   bad = message("map", 0.0);
   bad.points[0].mode = 77;
   expect_refused(bad, "point 0: its mode is not known (77)");
@@ -152,7 +155,7 @@ TEST_F(Driving, waits_for_the_time_at_which_a_trajectory_begins)
   std_msgs::Header header;
   header.frame_id = "map";
   header.stamp = ros::Time::now() + ros::Duration(1.0);
-  trajectory_.publish(to_message(plan(goal), header));
+  trajectory_.publish(to_message(Robot(), plan(goal), header));
   ASSERT_TRUE(wait_for_state(Tracking::ARRIVED, header.stamp));
   for (const auto& tracking : tracking_.messages())
     EXPECT_EQ(tracking->trajectory == header.stamp, tracking->header.stamp >= header.stamp);

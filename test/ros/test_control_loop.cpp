@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/refusals.h"
+#include "fourwis_navigation/model/fingerprint.h"
 #include "ros/control_loop.h"
 #include "ros/drive_conversions.h"
 
@@ -54,7 +55,8 @@ protected:
     std_msgs::Header header;
     header.frame_id = frame;
     header.stamp = ros::Time(stamp);
-    return to_message(Trajectory{{0.0, Mode::ackermann, 0, 0, 0, 0, 0, 1, 0},
+    return to_message(Robot(),
+                      Trajectory{{0.0, Mode::ackermann, 0, 0, 0, 0, 0, 1, 0},
                                  {1.0, Mode::ackermann, 0.5, 0, 0, 1, 0, -1, 0},
                                  {2.0, Mode::ackermann, 1.0, 0, 0, 0, 0, 0, 0}},
                       header);
@@ -183,6 +185,31 @@ TEST_F(ControlLoopTest, refuses_what_it_cannot_drive_and_says_why)
   measure(kBegin + 1.0, kBegin + 1.1);
   ASSERT_EQ(refusals_.size(), 1u);
   EXPECT_TRUE(says(refusals_[0], "no finite number"));
+}
+
+TEST_F(ControlLoopTest, refuses_a_trajectory_of_another_robot)
+{
+  measure(kBegin, kBegin + 1.0);
+  Robot longer;
+  longer.length += 0.01;
+  auto foreign = trajectory(kBegin + 1.0);
+  foreign.fingerprint = fingerprint(longer);
+  EXPECT_TRUE(says(refusal(foreign), "was planned for another robot: fingerprint is '" + fingerprint(longer) +
+                                         "', expected '" + fingerprint(Robot()) + "'"));
+  EXPECT_TRUE(says(refusal(foreign), "give planner and controller the same robot.yaml"));
+  foreign.fingerprint = "";
+  EXPECT_TRUE(says(refusal(foreign), "names no robot: fingerprint is ''"));
+}
+
+TEST_F(ControlLoopTest, a_stop_needs_no_robot)
+{
+  measure(kBegin, kBegin + 0.1);
+  loop_.take(trajectory(kBegin));
+  EXPECT_EQ(measure(kBegin + 0.1, kBegin + 0.2).back().output.state, TrackState::aligning);
+  auto nameless = stop(kBegin + 0.2);
+  nameless.fingerprint = "";
+  EXPECT_EQ(refusal(nameless), "");
+  EXPECT_EQ(measure(kBegin + 0.2, kBegin + 0.3).back().trajectory, ros::Time(kBegin + 0.2));
 }
 
 TEST_F(ControlLoopTest, passes_on_why_the_base_is_not_enabled)

@@ -7,6 +7,7 @@
 
 #include "../support/random.h"
 #include "../support/refusals.h"
+#include "fourwis_navigation/model/fingerprint.h"
 #include "ros/conversions.h"
 
 namespace fourwis
@@ -218,14 +219,17 @@ TEST(Conversions, modes_are_those_named_and_all_when_none_is)
   }
 }
 
-TEST(Conversions, a_trajectory_message_carries_every_field_of_every_point)
+TEST(Conversions, a_trajectory_message_carries_its_robot_and_every_field_of_every_point)
 {
+  Robot robot;
+  robot.length = 1.5;
   const Trajectory trajectory = {{0.0, Mode::ackermann, 1, 2, 3, 4, 5, 6, 7},
                                  {0.5, Mode::lateral, -1, -2, -3, -4, -5, -6, -7}};
   std_msgs::Header header;
   header.frame_id = "map";
-  const fourwis_navigation::ModeTrajectory message = to_message(trajectory, header);
+  const fourwis_navigation::ModeTrajectory message = to_message(robot, trajectory, header);
   EXPECT_EQ(message.header.frame_id, "map");
+  EXPECT_EQ(message.fingerprint, fingerprint(robot));
   ASSERT_EQ(message.points.size(), 2u);
   const fourwis_navigation::TrajectoryPoint& last = message.points[1];
   EXPECT_EQ(message.points[0].mode, fourwis_navigation::TrajectoryPoint::ACKERMANN);

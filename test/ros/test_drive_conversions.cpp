@@ -29,7 +29,7 @@ WheelCommand some_command()
 TEST(DriveConversions, a_trajectory_comes_back_as_it_was)
 {
   const Trajectory there = two_points();
-  const Trajectory back = to_trajectory(to_message(there, {}));
+  const Trajectory back = to_trajectory(to_message(Robot(), there, {}));
   ASSERT_EQ(back.size(), there.size());
   for (std::size_t i = 0; i < there.size(); ++i)
   {
@@ -60,7 +60,7 @@ TEST(DriveConversions, what_makes_no_sense_arrives_as_it_is)
   command.mode = 200;
   EXPECT_TRUE(std::isnan(to_command(command).motion.speed[0]));
   EXPECT_EQ(static_cast<int>(to_command(command).mode), 200);
-  auto trajectory = to_message(two_points(), {});
+  auto trajectory = to_message(Robot(), two_points(), {});
   trajectory.points[1].theta = kNaN;
   EXPECT_TRUE(std::isnan(to_trajectory(trajectory)[1].theta));
 }
