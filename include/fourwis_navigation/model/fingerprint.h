@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,13 @@ public:
   void operator()(std::string_view key, Number value, double, double, const char* = "")
   {
     add(key, to_text(static_cast<double>(value) + 0.0));  // -0 is the same as 0
+  }
+
+  void operator()(std::string_view key, const std::optional<double>& value, double least, double greatest,
+                  const char* unit, const char* otherwise)
+  {
+    if (value) return (*this)(key, *value, least, greatest, unit);
+    add(key, otherwise);
   }
 
   template <class Value, class Text>

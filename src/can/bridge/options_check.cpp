@@ -9,7 +9,6 @@
 #include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/vehicle/alignment.h"
-#include "ranger_motion.h"
 #include "sdo_script.h"
 
 namespace fourwis::can
@@ -19,6 +18,9 @@ namespace
 
 /// Rounds what is printed with two digits up, so that it is enough.
 constexpr double kRoundUp = 0.005;
+
+/// How far the wheels of a Ranger turn to either side, with a reserve for a quarter turn in a few digits [rad].
+constexpr double kRangerTravel = M_PI / 2.0 + 1e-4;
 
 void check_nodes(const BridgeOptions& options)
 {

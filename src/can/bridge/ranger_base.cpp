@@ -1,7 +1,6 @@
 #include "ranger_base.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace fourwis::can
@@ -145,7 +144,7 @@ void RangerBase::command(const DriveDemand& demand, double now, Outbox& outbox)
   follows_ = demand.driving == PowerGoal::on || (demand.driving == PowerGoal::keep && follows_);
   wanted_ = demand.motion;
   if (!is_to_be_told(demand)) return told_.reset();
-  const RangerMotion motion = motion_of(demand, now);
+  const RangerMotion motion = motion_of(demand);
   const bool is_stop = told_ && moves(*told_) && !moves(motion);
   if (now - told_at_ < kCommandPeriod && !is_stop) return;
   told_at_ = now;
@@ -162,14 +161,10 @@ bool RangerBase::is_to_be_told(const DriveDemand& demand) const
 }
 
 /// Wheels that may roll keep their branch (angle + k pi). At rest they take the branch that the base can reach.
-RangerMotion RangerBase::motion_of(const DriveDemand& demand, double now) const
+RangerMotion RangerBase::motion_of(const DriveDemand& demand) const
 {
   const bool held = told_ && (!follows_ || moves(*told_) || rolls());
   const RangerMotion motion = kinematics_.base_motion(demand.mode, demand.motion, held ? told_->steering : 0.0);
-  const bool too_far =
-      kinematics_.base_mode(demand.mode) == RangerMode::parallel && std::abs(motion.steering) > kRangerTravel;
-  if (too_far && follows_) report_(Fault::unsupported_motion, static_cast<std::uint32_t>(demand.mode), now);
-  if (too_far) return standing(std::copysign(kRangerTravel, motion.steering));
   return follows_ && !is_turning(demand.mode) ? motion : standing(motion.steering);
 }
 

@@ -41,7 +41,7 @@ private:
   void supervise_base(double now);
   void supervise_following(double now);
   bool is_to_be_told(const DriveDemand& demand) const;
-  RangerMotion motion_of(const DriveDemand& demand, double now) const;
+  RangerMotion motion_of(const DriveDemand& demand) const;
 
   RangerKinematics kinematics_;
   double boot_timeout_, steering_error_, speed_error_;

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cmath>
-
 #include "fourwis_navigation/can/bridge/bridge_options.h"
 #include "fourwis_navigation/can/protocol/ranger.h"
 
 namespace fourwis::can
 {
-
-/// How far the wheels of a Ranger turn to either side [rad].
-inline constexpr double kRangerTravel = M_PI / 2.0 + 1e-3;
 
 /// Converts between the motion of the four wheels and the motions that a Ranger can carry out.
 class RangerKinematics

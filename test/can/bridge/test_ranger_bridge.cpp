@@ -7,12 +7,20 @@
 #include "can/bridge/bridge_connection.h"
 #include "can/bus/memory_bus.h"
 #include "fake_ranger.h"
+#include "fourwis_navigation/vehicle/wheel_branches.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis::can
 {
 namespace
 {
+
+Robot with_wheels_of_a_ranger()
+{
+  Robot robot;
+  robot.wheel_max_angle = M_PI_2;
+  return robot;
+}
 
 BridgeOptions ranger_options()
 {
@@ -58,14 +66,15 @@ protected:
   {
     commands_ = true;
     wanted_.mode = mode;
-    wanted_.motion = wheel_motion(robot_, mode, v, phi);
+    const WheelMotion motion = wheel_motion(robot_, mode, v, phi);
+    wanted_.motion = continue_branches(robot_, motion, {}).motion;
   }
   std::string cause() const { return text_of(bridge_.report().cause); }
   Fault fault() const { return bridge_.report().cause.fault; }
   double now() const { return 1e-3 * static_cast<double>(ticks_); }
   bool is_moving() const { return ranger_.speed != 0 || ranger_.yaw != 0 || ranger_.lateral != 0; }
 
-  const Robot robot_;
+  const Robot robot_ = with_wheels_of_a_ranger();
   const BridgeOptions options_;
   MemoryBus bus_;
   std::unique_ptr<MemoryBus::End> end_ = bus_.open(), ranger_end_ = bus_.open();
@@ -225,7 +234,7 @@ TEST_F(RangerBridge, WheelsThatRollDoNotSwingByHalfATurn)
     EXPECT_GE(ranger_.steering, 1500);
     return !is_moving();
   }));
-  EXPECT_EQ(fault(), Fault::unsupported_motion);
+  EXPECT_EQ(fault(), Fault::invalid_command);
 }
 
 TEST_F(RangerBridge, AtRestWheelsTakeTheBranchThatTheBaseCanReach)
