@@ -6,6 +6,7 @@
 #include <nav_msgs/Path.h>
 
 #include "drive_fixture.h"
+#include "fourwis_navigation/model/fingerprint.h"
 
 namespace fourwis
 {
@@ -112,6 +113,9 @@ TEST_F(Driving, diagnostics_tell_of_it)
   });
   ASSERT_TRUE(array);
   EXPECT_EQ(array->status[0].name, "mpc_controller: tracking");
+  const diagnostic_msgs::KeyValue& robot = array->status[0].values.front();
+  EXPECT_EQ(robot.key, "fingerprint of the robot");
+  EXPECT_EQ(robot.value, fingerprint(Robot()));
   const diagnostic_msgs::KeyValue& slowest = array->status[0].values.back();
   EXPECT_EQ(slowest.key, "slowest step [ms]");
   EXPECT_GT(std::stod(slowest.value), 0.0);

@@ -5,6 +5,7 @@
 #include <nav_msgs/Path.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "fourwis_navigation/model/fingerprint.h"
 #include "planner_fixture.h"
 
 namespace fourwis
@@ -216,6 +217,7 @@ TEST_F(Planning, diagnostics_tell_of_the_map_and_the_last_plan)
   ASSERT_TRUE(array);
   EXPECT_EQ(array->status[0].name, "move_base: map");
   EXPECT_EQ(array->status[1].name, "move_base: plan");
+  EXPECT_EQ(array->status[1].values.front().value, fingerprint(Robot()));
 }
 
 }  // namespace
