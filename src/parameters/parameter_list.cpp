@@ -84,7 +84,7 @@ std::string defaults_taken(const ParameterMap& given, const std::vector<Paramete
 {
   std::vector<std::string> taken;
   for (const Parameter& parameter : parameters)
-    if (given.count(parameter.key) == 0) taken.push_back(parameter.key + " = " + parameter.value);
+    if (given.count(parameter.key) == 0 && !parameter.is_open) taken.push_back(parameter.key + " = " + parameter.value);
   return taken.empty() ? "" : "missing parameters take their defaults: " + join(taken);
 }
 

@@ -23,6 +23,7 @@ struct Parameter
   std::string unit;
   /// Throws std::invalid_argument naming key, value and what was expected.
   std::function<void(const ParameterValue&)> set;
+  bool is_open = false;  ///< not set unless given
 };
 
 /// As it appears in error texts.
@@ -69,7 +70,7 @@ public:
     const std::string name = prefix_ + std::string(key);
     const OptionRange range{least, greatest, unit};
     parameters_.push_back({name, value ? to_text(*value) : otherwise, limits_of(range), unit,
-                           [name, &value, range](const ParameterValue& given) { value = number_in(name, given, range); }});
+                           [name, &value, range](const ParameterValue& given) { value = number_in(name, given, range); }, true});
   }
 
   template <class Value, class Text>
@@ -113,7 +114,7 @@ template <class Options>
 Options options_from(const ParameterMap& given)
 {
   Options options;
-  set_from(given, ParameterList::of(options), Missing::keeps_its_default);
+  set_from(given, ParameterList::of(options));
   return options;
 }
 

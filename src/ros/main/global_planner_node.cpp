@@ -1,6 +1,7 @@
 #include "../global_planner.h"
 #include "../node_main.h"
 #include "../parameter_server.h"
+#include "fourwis_navigation/vehicle/mode_limits.h"
 
 int main(int argc, char** argv)
 {
@@ -8,6 +9,7 @@ int main(int argc, char** argv)
   return fourwis::node_main([] {
     const auto parameters = fourwis::global_planner_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
     fourwis::warn(parameters.defaults);
+    for (const std::string& limitation : fourwis::limitations(parameters.robot)) fourwis::warn(limitation);
     const fourwis::GlobalPlanner planner(parameters);
     ros::spin();
   });
