@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fourwis_navigation/map/body_overlap.h"
 
@@ -28,7 +29,7 @@ PoseBoxes::PoseBoxes(const CollisionChecker& checker) : checker_(checker)
   }
   shapes_ = shapes(body);
   for (const CollisionChecker::TightSpot& spot : checker.tight_spots())
-    spots_.push_back({spot.x, spot.y, shapes(spot.with_margin)});
+    spots_.push_back({spot.x, spot.y, spot.margin, shapes(spot.with_margin)});
   const ObstacleMap& map = checker.map();
   columns_ = static_cast<int>(std::ceil(map.width() * map.resolution() / size_.front()));
   rows_ = static_cast<int>(std::ceil(map.height() * map.resolution() / size_.front()));
@@ -88,9 +89,14 @@ PoseBoxes::State PoseBoxes::look(const PoseBox& box) const
   const std::size_t level = static_cast<std::size_t>(box.level);
   const Placed place = placed(centre(box));
   const std::vector<Shape>* near = &shapes_;
+  double margin = std::numeric_limits<double>::infinity();
   for (const Spot& spot : spots_)
-    if (std::hypot(place.x - spot.x, place.y - spot.y) < CollisionChecker::TightSpot::kRadius + reach_[level])
-      near = &spot.shapes;
+  {
+    if (spot.margin >= margin) continue;
+    if (std::hypot(place.x - spot.x, place.y - spot.y) >= CollisionChecker::TightSpot::kRadius + reach_[level]) continue;
+    near = &spot.shapes;
+    margin = spot.margin;
+  }
   const ConvexPolygon &larger = shapes_[level].larger, &smaller = (*near)[level].smaller;
   const ObstacleMap& map = checker_.map();
   if (map.is_clear(place.x, place.y, reach_of(larger)) || is_clear(map, larger, place)) return State::free;

@@ -67,7 +67,7 @@ private:
   };
   struct Spot
   {
-    double x, y;
+    double x, y, margin;
     std::vector<Shape> shapes;
   };
 

@@ -41,7 +41,7 @@ std::vector<std::string> row(Setup setup, const Problem& environment, const Occu
   std::vector<std::string> cells = {environment.id, all_modes ? "Multi-SC" : "Single-SC"};
   const std::vector<std::string> ours = our_cells(measurement);
   cells.insert(cells.end(), ours.begin(), ours.end());
-  if (setup.options.search.reference_speed == kPaperSpeed)
+  if (setup.options.search.v_ref(setup.robot) == kPaperSpeed)
   {
     const std::vector<std::string> theirs = paper_cells(paper_result(environment.id, all_modes));
     cells.insert(cells.end(), theirs.begin(), theirs.end());

@@ -82,13 +82,37 @@ private:
   int samples_;
 };
 
+/// What a body may still overlap of the obstacles that it overlaps at the start.
+class Overlap
+{
+public:
+  Overlap(const ExactRectangle& body, double start_tolerance) : body_(body), greatest_(start_tolerance) {}
+
+  /// To be asked pose by pose along the drive.
+  bool is_forbidden(const Pose& pose)
+  {
+    const bool collides = body_.collides(pose);
+    if (collides && !(body_.depth(pose) <= greatest_ + kRounding)) return true;
+    greatest_ = collides ? std::min(greatest_, body_.depth(pose)) : -kRounding;
+    return false;
+  }
+
+private:
+  static constexpr double kRounding = 1e-6;  ///< of depths [m]
+
+  const ExactRectangle& body_;
+  double greatest_;
+};
+
 }  // namespace
 
-std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, const ExactRectangle& body)
+std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, const ExactRectangle& body,
+                           double start_tolerance)
 {
+  Overlap overlap(body, start_tolerance);
   for (std::size_t i = 0; i < trajectory.size(); ++i)
   {
-    if (body.collides(trajectory[i].pose())) return "collides at " + text(trajectory[i].pose());
+    if (overlap.is_forbidden(trajectory[i].pose())) return "collides at " + text(trajectory[i].pose());
     if (i + 1 == trajectory.size()) break;
     const TrajectoryPoint &from = trajectory[i], &to = trajectory[i + 1];
     Pose pose = from.pose();
@@ -98,7 +122,7 @@ std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, con
       for (int k = 1; k <= drive.samples(); ++k)
       {
         pose = drive.next(pose, k);
-        if (body.collides(pose)) return "collides at " + text(pose) + " after point " + std::to_string(i);
+        if (overlap.is_forbidden(pose)) return "collides at " + text(pose) + " after point " + std::to_string(i);
       }
     }
     if (!(distance(pose, to.pose()) <= kGap) || !(std::abs(pose.theta - to.theta) <= kHeadingGap))

@@ -8,15 +8,7 @@ namespace fourwis::nightly
 namespace
 {
 
-constexpr double kCover = 0.02;                            ///< the discs reach less than this beyond the body [m]
 constexpr double kEndGap = 0.001, kEndHeadingGap = 0.001;  ///< of a trajectory's ends [m], [rad]
-
-Robot grown(Robot robot, double margin)
-{
-  robot.length += 2.0 * margin;
-  robot.width += 2.0 * margin;
-  return robot;
-}
 
 OccupancyGrid at_origin(OccupancyGrid grid)
 {
@@ -48,7 +40,7 @@ std::string fault_in_trajectory(const Place& place, const PlanRequest& request, 
   if (trajectory.empty()) return "there is no trajectory";
   if (!are_same(trajectory.front().pose(), request.start)) return "it starts elsewhere";
   if (!are_same(trajectory.back().pose(), request.goal)) return "it ends elsewhere";
-  return fault_in_drive(trajectory, place.robot, place.body);
+  return fault_in_drive(trajectory, place.robot, place.body, RefereeOptions().start_tolerance);
 }
 
 }  // namespace
@@ -69,7 +61,6 @@ Place::Place(const OccupancyGrid& occupancy, const Robot& its_robot, const Plann
     grid(at_origin(occupancy)),
     world(grid, robot, options),
     body(grid, robot, options.obstacles),
-    covered_body(grid, grown(robot, kCover), options.obstacles),
     flood(grid, options.obstacles, robot, robot.safety_margin + RectangleFlood::half_step(robot))
 {}
 
@@ -108,8 +99,8 @@ std::string fault_in_answer(const Place& place, const PlanRequest& request, cons
     case PlanStatus::succeeded: return fault_in_trajectory(place, request, result.trajectory);
     case PlanStatus::goal_unreachable:
       return flood_can_judge(request.modes) && place.flood.joins(request.start, request.goal) ? "there is a way" : "";
-    case PlanStatus::start_in_collision: return place.covered_body.collides(request.start) ? "" : "the start is free";
-    case PlanStatus::goal_in_collision: return place.covered_body.collides(request.goal) ? "" : "the goal is free";
+    case PlanStatus::start_in_collision: return place.body.collides(request.start) ? "" : "the start is free";
+    case PlanStatus::goal_in_collision: return place.body.collides(request.goal) ? "" : "the goal is free";
     case PlanStatus::no_path:
     case PlanStatus::timeout: return "";
     default: return "not to be expected of a request like this";

@@ -25,7 +25,6 @@ struct Place
   OccupancyGrid grid;  ///< its origin is (0, 0, 0)
   World world;
   ExactRectangle body;
-  ExactRectangle covered_body;  ///< contains all that the planner's discs cover
   RectangleFlood flood;         ///< where it joins two poses, the body has a way with the safety margin
 
 private:
@@ -36,7 +35,7 @@ private:
 ///   succeeded            the body meets no obstacle, and the drive begins and ends where it should
 ///   goal_unreachable     the flood knows no way
 ///   start_in_collision,
-///   goal_in_collision    an obstacle is within the reach of the discs
+///   goal_in_collision    the body overlaps an obstacle there
 std::string fault_in_answer(const Place& place, const PlanRequest& request, const PlanResult& result);
 
 }  // namespace fourwis::nightly

@@ -97,7 +97,7 @@ TEST_F(BackEndTest, OptimisesEverySegmentOfRandomPathsIntoWhatTheRefereeAccepts)
 TEST_F(BackEndTest, IsNeverSlowerThanStoppingToSteer)
 {
   for_scenes(40, [&](const Scene& scene) {
-    const double with_stops = stop_and_steer(scene.found.path, robot, options.search.reference_speed).back().t;
+    const double with_stops = stop_and_steer(scene.found.path, robot).back().t;
     EXPECT_LE(refine(scene).trajectory.back().t, with_stops * 1.001 + 0.01);
   });
 }

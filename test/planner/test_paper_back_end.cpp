@@ -77,7 +77,7 @@ TEST_F(PaperBackEndTest, ConvergesInASimpleCorridor)
     ASSERT_EQ(points.size(), refinement.corridors[0].front.size());
     EXPECT_LT(distance(points.front().pose(), path.pieces.front().start), 1e-9);
     EXPECT_LT(distance(points.back().pose(), path.goal), 1e-9);
-    EXPECT_GT(points.back().t, distance(path.pieces.front().start, path.goal) / planner_options.search.reference_speed);
+    EXPECT_GT(points.back().t, distance(path.pieces.front().start, path.goal) / robot.max_speed);
     // Boxes hold the discs at the knots, up to what psi allows.
     for (const TrajectoryPoint& p : points)
       for (double offset : {checker.discs().offset, -checker.discs().offset})

@@ -38,7 +38,7 @@ Path random_path(Random& random, const Robot& robot, int pieces)
 
 struct StopAndSteer : testing::Test
 {
-  /// Visits trajectories along random paths of several robots at several speeds.
+  /// Visits trajectories along random paths of several robots.
   template <typename Visit>
   void for_trajectories(Visit visit) const
   {
@@ -47,14 +47,14 @@ struct StopAndSteer : testing::Test
     {
       Robot robot;
       if (k % 5 == 1) robot.wheel_max_rate = 1.0, robot.max_acceleration = 0.7;
-      if (k % 5 == 2) robot.max_steering_rate = 0.5, robot.wheel_max_speed = 1.2, robot.max_speed = 1.5;
+      if (k % 5 == 2) robot.max_steering_rate = 0.5, robot.wheel_max_speed = 1.2;
       if (k % 5 == 3) robot.wheel_max_angle = 1.75;  // hardly more than a quarter turn
       if (k % 5 == 4) robot.wheel_max_angle = 1.6, robot.wheel_max_rate = 0.5;
-      const double speed = std::array<double, 4>{0.3, 0.8, 1.0, 2.0}[static_cast<std::size_t>(k) % 4];
+      robot.max_speed = std::array<double, 4>{0.3, 0.8, 1.0, 2.0}[static_cast<std::size_t>(k) % 4];
       const Path path = random_path(random, robot, random.whole(1, 12));
-      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", path " + std::to_string(k) + " at " + std::to_string(speed) +
-                   " m/s\n" + text(path));
-      visit(path, robot, speed, stop_and_steer(path, robot, speed));
+      SCOPED_TRACE("seed " + std::to_string(kSeed) + ", path " + std::to_string(k) + " at " +
+                   std::to_string(robot.max_speed) + " m/s\n" + text(path));
+      visit(path, robot, stop_and_steer(path, robot));
       if (HasFatalFailure()) return;
     }
   }
@@ -63,11 +63,11 @@ struct StopAndSteer : testing::Test
   template <typename Visit>
   void for_steps(Visit visit) const
   {
-    for_trajectories([&](const Path&, const Robot& robot, double speed, const Trajectory& trajectory) {
+    for_trajectories([&](const Path&, const Robot& robot, const Trajectory& trajectory) {
       for (std::size_t i = 1; i < trajectory.size(); ++i)
       {
         SCOPED_TRACE("point " + std::to_string(i) + " at t = " + std::to_string(trajectory[i].t));
-        visit(robot, speed, trajectory[i - 1], trajectory[i]);
+        visit(robot, trajectory[i - 1], trajectory[i]);
         if (HasFatalFailure()) return;
       }
     });
@@ -76,7 +76,7 @@ struct StopAndSteer : testing::Test
 
 TEST_F(StopAndSteer, BeginsAtTheStartAndEndsAtTheGoalAtRest)
 {
-  for_trajectories([](const Path& path, const Robot&, double, const Trajectory& trajectory) {
+  for_trajectories([](const Path& path, const Robot&, const Trajectory& trajectory) {
     ASSERT_FALSE(trajectory.empty());
     const TrajectoryPoint &first = trajectory.front(), &last = trajectory.back();
     EXPECT_TRUE(is_bitwise_equal(first.pose(), path.pieces.front().start));
@@ -93,14 +93,14 @@ TEST_F(StopAndSteer, BeginsAtTheStartAndEndsAtTheGoalAtRest)
 TEST_F(StopAndSteer, TakesTimeForEveryStep)
 {
   for_steps(
-      [](const Robot&, double, const TrajectoryPoint& from, const TrajectoryPoint& to) { ASSERT_GT(to.t, from.t); });
+      [](const Robot&, const TrajectoryPoint& from, const TrajectoryPoint& to) { ASSERT_GT(to.t, from.t); });
 }
 
 TEST_F(StopAndSteer, KeepsTheLimitsOfSpeedAndAcceleration)
 {
-  for_steps([](const Robot& robot, double speed, const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  for_steps([](const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to) {
     const double acceleration = (to.v - from.v) / (to.t - from.t);
-    ASSERT_LE(std::abs(to.v), std::min(speed, robot.max_speed) + kAccuracy);
+    ASSERT_LE(std::abs(to.v), robot.max_speed + kAccuracy);
     ASSERT_LE(std::abs(to.v) * wheel_speed_ratio(robot, to.mode, to.phi), robot.wheel_max_speed + kAccuracy);
     ASSERT_LE(std::abs(acceleration), robot.max_acceleration * (1.0 + 1e-6));
     ASSERT_NEAR(from.a, acceleration, 1e-6);
@@ -110,7 +110,7 @@ TEST_F(StopAndSteer, KeepsTheLimitsOfSpeedAndAcceleration)
 TEST_F(StopAndSteer, TurnsTheWheelsOnlyAtRestAndNoFasterThanTheyCan)
 {
   constexpr int kSamples = 500;
-  for_steps([](const Robot& robot, double, const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  for_steps([](const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to) {
     if (from.mode != to.mode) return;
     const double dt = to.t - from.t, turn = to.phi - from.phi;
     ASSERT_LE(std::abs(turn) / dt, robot.max_steering_rate * (1.0 + 1e-6));
@@ -135,7 +135,7 @@ TEST_F(StopAndSteer, TurnsTheWheelsOnlyAtRestAndNoFasterThanTheyCan)
 TEST_F(StopAndSteer, SwitchesAtRestAndAsLongAsTheWheelsNeed)
 {
   int switches = 0;
-  for_steps([&](const Robot& robot, double, const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  for_steps([&](const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to) {
     if (from.mode == to.mode) return;
     ++switches;
     ASSERT_EQ(from.v, 0.0);
@@ -152,7 +152,7 @@ TEST_F(StopAndSteer, SwitchesAtRestAndAsLongAsTheWheelsNeed)
 
 TEST_F(StopAndSteer, MovesAsTheModeDoes)
 {
-  for_steps([](const Robot& robot, double, const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  for_steps([](const Robot& robot, const TrajectoryPoint& from, const TrajectoryPoint& to) {
     const double length = (from.v + to.v) / 2.0 * (to.t - from.t);
     const Pose expected = drive_numerically(robot, from.pose(), to.mode, to.phi, length, 20);
     ASSERT_LE(distance(expected, to.pose()), 1e-7);
@@ -162,7 +162,7 @@ TEST_F(StopAndSteer, MovesAsTheModeDoes)
 
 TEST_F(StopAndSteer, PassesEveryPlaceWherePiecesMeet)
 {
-  for_trajectories([](const Path& path, const Robot& robot, double, const Trajectory& trajectory) {
+  for_trajectories([](const Path& path, const Robot& robot, const Trajectory& trajectory) {
     std::size_t i = 0;
     for (std::size_t k = 1; k < path.pieces.size(); ++k)
     {
@@ -180,7 +180,7 @@ TEST_F(StopAndSteer, PassesEveryPlaceWherePiecesMeet)
 TEST_F(StopAndSteer, IsAcceptedByTheReferee)
 {
   const OccupancyGrid grid = free_area(60.0, 60.0, 0.5, {-30.0, -30.0, 0.0});
-  for_trajectories([&](const Path& path, const Robot& robot, double, const Trajectory& trajectory) {
+  for_trajectories([&](const Path& path, const Robot& robot, const Trajectory& trajectory) {
     const Verdict verdict = Referee(grid, {}, robot).judge(path.pieces.front().start, path.goal, trajectory);
     ASSERT_TRUE(verdict.accepted()) << verdict.violations.front().point << ": " << verdict.violations.front().what;
   });
@@ -189,14 +189,16 @@ TEST_F(StopAndSteer, IsAcceptedByTheReferee)
 /// Time along a path of one or two pieces from the origin.
 double arrival(const std::vector<PathPiece>& pieces, double speed = 1.0)
 {
+  Robot robot;
+  robot.max_speed = speed;
   Path path;
   for (PathPiece piece : pieces)
   {
     piece.start = path.goal;
-    path.goal = advance({}, piece.start, piece.mode, piece.phi, piece.length);
+    path.goal = advance(robot, piece.start, piece.mode, piece.phi, piece.length);
     path.pieces.push_back(piece);
   }
-  return stop_and_steer(path, {}, speed).back().t;
+  return stop_and_steer(path, robot).back().t;
 }
 
 TEST(StopAndSteerTime, IsThatOfATrapezoidOfSpeed)
@@ -232,7 +234,7 @@ TEST(StopAndSteerTime, HasAtLeastTheSwitchingTimeForASwitchThatTurnsNoWheel)
 
 TEST(StopAndSteerTime, IsNotSpentWhereThereIsNoPath)
 {
-  EXPECT_TRUE(stop_and_steer({}, {}, 1.0).empty());
+  EXPECT_TRUE(stop_and_steer({}, {}).empty());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "../support/driven_poses.h"
 #include "../support/grids.h"
 #include "../support/random.h"
 #include "brute_clearance.h"
@@ -37,6 +38,14 @@ Pose random_pose(Random& random, const OccupancyGrid& grid)
   return compose(grid.origin, {random.between(-0.02, 1.02) * w, random.between(-0.02, 1.02) * h, turn});
 }
 
+/// A referee that tolerates no overlap at the start.
+Referee strict(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot)
+{
+  RefereeOptions options;
+  options.start_tolerance = 0.0;
+  return Referee(grid, rule, robot, options);
+}
+
 Verdict stand(const Referee& referee, const Pose& pose)
 {
   return referee.judge(pose, pose, Script(pose, Mode::ackermann).points());
@@ -58,7 +67,7 @@ TEST(VerifyCollision, OfStandingBodiesAgreesWithBruteForceOnRandomGrids)
     robot.wheelbase = std::min(robot.wheelbase, robot.length);
     robot.track_width = std::min(robot.track_width, robot.width);
     const ObstacleRule rule{65, seed % 2 == 0};
-    const Referee referee(grid, rule, robot);
+    const Referee referee = strict(grid, rule, robot);
     const std::vector<Quad> cells = obstacles(grid, rule);
     for (int k = 0; k < 20; ++k)
     {
@@ -87,7 +96,7 @@ TEST(VerifyCollision, SeesASingleCellWhereverItIsUnderTheBody)
     const int column = random.whole(25, 55), row = random.whole(25, 55);
     occupy(grid, column, row);
     const double expected = separation(body(pose), square_of(grid, column, row));
-    const Verdict verdict = stand(Referee(grid, {}, {}), pose);
+    const Verdict verdict = stand(strict(grid, {}, {}), pose);
     EXPECT_EQ(verdict.accepted(), expected >= 0.0) << column << ' ' << row << ' ' << expected;
     if (expected >= 0.0) continue;
     ++inside;
@@ -104,7 +113,7 @@ TEST(VerifyCollision, TouchingIsFree)
   OccupancyGrid grid = free_grid(40, 40, 0.1);
   for (int column = 14; column <= 25; ++column) occupy(grid, column, 16), occupy(grid, column, 23);
   for (int row = 16; row <= 23; ++row) occupy(grid, 14, row), occupy(grid, 25, row);
-  const Referee referee(grid, {}, robot);
+  const Referee referee = strict(grid, {}, robot);
   const Verdict touching = stand(referee, {2.0, 2.0, 0.0});
   EXPECT_TRUE(touching.accepted()) << sentences(touching);
   EXPECT_NEAR(touching.min_clearance, 0.0, 1e-12);
@@ -118,7 +127,7 @@ TEST(VerifyCollision, TheBorderOfTheGridMayBeTouchedButNotCrossed)
 {
   const Pose origin{3.0, -2.0, 0.5};
   const OccupancyGrid grid = free_grid(50, 40, 0.1, origin);  // 5 m x 4 m
-  const Referee referee(grid, {}, {});
+  const Referee referee = strict(grid, {}, {});
   for (const auto& [x, y] : {std::pair(0.5, 2.0), {4.5, 2.0}, {2.0, 0.31}, {2.0, 3.69}})
   {
     const Verdict verdict = stand(referee, compose(origin, {x, y, 0.0}));
@@ -134,7 +143,7 @@ TEST(VerifyCollision, CellsAreObstaclesByTheRule)
   const auto collides = [](std::int8_t value, const ObstacleRule& rule) {
     OccupancyGrid grid = free_grid(60, 60, 0.05);
     occupy(grid, 30, 30, value);
-    return !stand(Referee(grid, rule, {}), {1.5, 1.5, 0.0}).accepted();
+    return !stand(strict(grid, rule, {}), {1.5, 1.5, 0.0}).accepted();
   };
   EXPECT_FALSE(collides(64, {65, true}));
   EXPECT_TRUE(collides(65, {65, true}));
@@ -147,9 +156,9 @@ TEST(VerifyCollision, SeesAPostBetweenTwoPointsFarApart)
 {
   OccupancyGrid grid = free_grid(300, 80, 0.05);
   const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(1.0, 10.0);
-  EXPECT_TRUE(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).accepted());
+  EXPECT_TRUE(strict(grid, {}, {}).judge(script.start(), script.end(), script.points()).accepted());
   occupy(grid, 150, 40);
-  const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+  const Verdict verdict = strict(grid, {}, {}).judge(script.start(), script.end(), script.points());
   ASSERT_EQ(verdict.violations.size(), 1u) << sentences(verdict);
   EXPECT_EQ(verdict.violations[0].point, 1);
   EXPECT_NEAR(verdict.violations[0].t, (7.5 - 0.5 - 1.125) + 0.25, 0.02);  // the front edge reaches x = 7.5 m
@@ -164,7 +173,7 @@ TEST(VerifyCollision, SeesThatACellIsGrazedByMicrometres)
       OccupancyGrid grid = free_grid(300, 80, 0.05, {0.0, 0.01 + gap, 0.0});
       occupy(grid, 150, 46);
       const Script script = Script({1.0, 2.0, 0.0}, Mode::ackermann).drive(speed, 10.0 / speed);
-      const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+      const Verdict verdict = strict(grid, {}, {}).judge(script.start(), script.end(), script.points());
       EXPECT_EQ(verdict.accepted(), gap > 0.0) << sentences(verdict);
       EXPECT_NEAR(verdict.min_clearance, std::max(gap, 0.0), 1e-9);
     }
@@ -175,7 +184,7 @@ TEST(VerifyCollision, SeesACornerNickedForLittleMoreThanAMillimetre)
   // The front left corner of the body moves down to the right past the lower left corner of a cell, at (3, 3).
   OccupancyGrid grid = free_grid(120, 120, 0.05);
   occupy(grid, 60, 60);
-  const Referee referee(grid, {}, {});
+  const Referee referee = strict(grid, {}, {});
   for (const double depth : {0.00065, -0.0005})
     for (int k = 0; k < 60; ++k)
     {
@@ -199,7 +208,7 @@ TEST(VerifyCollision, ClearanceIsExactAtStartAndGoal)
       const Script there = Script({}, Mode::ackermann).drive(0.7, 2.0);
       const double x = 5.0 - 0.5 - gap - (heading == 0.0 ? there.end().x : 0.0);
       const Script script = Script({x, 2.0, heading}, Mode::ackermann).drive(0.7, 2.0);
-      EXPECT_NEAR(Referee(grid, {}, {}).judge(script.start(), script.end(), script.points()).min_clearance, gap, 1e-9);
+      EXPECT_NEAR(strict(grid, {}, {}).judge(script.start(), script.end(), script.points()).min_clearance, gap, 1e-9);
     }
 }
 
@@ -217,34 +226,6 @@ Script random_drive(Random& random, const Pose& start)
   return script;
 }
 
-/// Poses along a script. No point of the body moves more than two millimetres from one to the next.
-std::vector<Pose> dense_poses(const Script& script)
-{
-  std::vector<Pose> poses{script.start()};
-  const Trajectory& points = script.points();
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-  {
-    const TrajectoryPoint &from = points[i], &to = points[i + 1];
-    if (from.mode != to.mode) continue;
-    const int parts = static_cast<int>(std::ceil((to.t - from.t) * 2.5 / 0.002));
-    TrajectoryPoint at = from;
-    for (int k = 0; k < parts; ++k)
-    {
-      const double share = (k + 0.5) / parts, h = (to.t - from.t) / parts;
-      const double v = from.v + share * (to.v - from.v), phi = from.phi + share * (to.phi - from.phi);
-      const double turn = at.mode == Mode::ackermann ? 2.0 * v * std::tan(phi) / Robot().wheelbase
-                          : at.mode == Mode::lateral ? 2.0 * v * std::tan(phi) / Robot().track_width
-                                                     : 0.0;
-      const double course = at.mode == Mode::lateral ? M_PI_2 : at.mode == Mode::parallel ? phi : 0.0;
-      at.x += h * v * std::cos(at.theta + h / 2 * turn + course);
-      at.y += h * v * std::sin(at.theta + h / 2 * turn + course);
-      at.theta += h * turn;
-      poses.push_back(at.pose());
-    }
-  }
-  return poses;
-}
-
 TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
 {
   int free = 0, colliding = 0;
@@ -258,9 +239,9 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
     const Script script = random_drive(random, compose(grid.origin, {3.5, 3.5, random.between(-3.0, 3.0)}));
     double expected = INFINITY;
     const std::vector<Quad> cells = obstacles(grid, {});
-    for (const Pose& pose : dense_poses(script)) expected = std::min(expected, brute_clearance(grid, cells, pose));
+    for (const Pose& pose : driven_poses({}, script.points())) expected = std::min(expected, brute_clearance(grid, cells, pose));
     if (std::abs(expected) < 0.001) continue;
-    const Verdict verdict = Referee(grid, {}, {}).judge(script.start(), script.end(), script.points());
+    const Verdict verdict = strict(grid, {}, {}).judge(script.start(), script.end(), script.points());
     ASSERT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected << "\n" << sentences(verdict);
     ASSERT_LT(verdict.max_rollout_position, 1e-5);
     ++(expected > 0.0 ? free : colliding);
@@ -297,10 +278,10 @@ TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
            static_cast<int>((centre.y + reach * std::sin(angle)) / 0.01));
     const std::vector<Quad> cells = obstacles(grid, {});
     double expected = INFINITY;
-    for (const Pose& pose : dense_poses(script))
+    for (const Pose& pose : driven_poses(robot, script.points()))
       expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
     if (std::abs(expected) < 0.001) continue;
-    const Verdict verdict = Referee(grid, {}, robot).judge(script.start(), script.end(), script.points());
+    const Verdict verdict = strict(grid, {}, robot).judge(script.start(), script.end(), script.points());
     EXPECT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected;
     met += expected < 0.0;
   }
@@ -324,7 +305,7 @@ TEST(VerifyCollision, SeesWhatIsMetWithinTheTolerancesOfTheRollOut)
       point.x = start.x + k * step.x, point.y = start.y + k * step.y, point.theta = start.theta + k * step.theta;
       points.push_back(point);
     }
-    const Verdict verdict = Referee(grid, {}, {}).judge(points.front().pose(), points.back().pose(), points);
+    const Verdict verdict = strict(grid, {}, {}).judge(points.front().pose(), points.back().pose(), points);
     EXPECT_FALSE(complains_of(verdict, "rolled-out")) << sentences(verdict);
     EXPECT_TRUE(complains_of(verdict, "collision")) << sentences(verdict);
   }
@@ -335,7 +316,7 @@ TEST(VerifyCollision, OneRefereeJudgesInSeveralThreads)
   Random random(3);
   OccupancyGrid grid = free_grid(140, 140, 0.05);
   for (int k = 0; k < 20; ++k) occupy(grid, random.whole(0, 139), random.whole(0, 139));
-  const Referee referee(grid, {}, {});
+  const Referee referee = strict(grid, {}, {});
   const Script script = random_drive(random, {3.5, 3.5, 1.0});
   const Verdict expected = referee.judge(script.start(), script.end(), script.points());
   std::array<Verdict, 4> verdicts;

@@ -30,7 +30,7 @@ Trajectory driven(const std::vector<PathPiece>& pieces)
     path.goal = advance({}, piece.start, piece.mode, piece.phi, piece.length);
     path.pieces.push_back(piece);
   }
-  return stop_and_steer(path, {}, 1.0);
+  return stop_and_steer(path, {});
 }
 
 TEST(Metrics, OfNoTrajectoryAreNothing)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../support/grids.h"
 #include "../support/path_laws.h"
 
@@ -180,7 +182,7 @@ TEST_F(LongSearch, IsInterruptedInTheMiddleOfTheSearch)
     return fourwis::distance(pose, request.goal);
   };
   const SearchProblem problem = {site.checker, request.start, request.goal, Interrupt(&cancelled)};
-  const SearchResult result = hybrid_astar(problem, options, request.modes, distance);
+  const SearchResult result = hybrid_astar(problem, options, request.modes, {distance});
   EXPECT_EQ(result.status, PlanStatus::cancelled);
   EXPECT_GT(result.expansions, 0);
 }
@@ -268,16 +270,18 @@ TEST_F(FrontEnd, FindsValidPathsInAllVariantsOfTheAblation)
 TEST_F(LongSearch, OptionsOutOfRangeAreRejectedByName)
 {
   const auto distance = [](const Pose&) { return 0.0; };
-  for (double SearchOptions::*option : {&SearchOptions::reference_speed, &SearchOptions::step_time,
-                                        &SearchOptions::xy_resolution, &SearchOptions::heading_resolution})
-    for (const double bad : {0.0, -1.0, std::nan("")})
+  const SearchProblem problem{site.checker, request.start, request.goal, Interrupt()};
+  for (const double bad : {0.0, -1.0, std::nan("")})
+  {
+    std::array<SearchOptions, 4> all;
+    all[0].reference_speed = all[1].step_time = all[2].xy_resolution = all[3].heading_resolution = bad;
+    for (const SearchOptions& changed : all)
     {
-      options = {};
-      options.*option = bad;
+      options = changed;
       EXPECT_THROW(find(site, request), std::invalid_argument);
-      const SearchProblem problem{site.checker, request.start, request.goal, Interrupt()};
-      EXPECT_THROW(hybrid_astar(problem, options, request.modes, distance), std::invalid_argument);
+      EXPECT_THROW(hybrid_astar(problem, options, request.modes, {distance}), std::invalid_argument);
     }
+  }
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ struct Shortcut : testing::Test
       options.max_expansions = 600;
       const SearchProblem problem = {site.checker, request.start, request.goal};
       const GoalDistance distance(problem, 4.0);
-      const auto around = [&](const Pose& pose) { return distance(pose.x, pose.y); };
+      const Guide around = {[&](const Pose& pose) { return distance(pose.x, pose.y); }};
       const Path path = hybrid_astar(problem, options, modes, around).path;
       if (path.pieces.empty()) continue;
       ++found;

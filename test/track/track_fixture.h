@@ -32,7 +32,7 @@ inline Trajectory trajectory_of(const Robot& robot, const Pose& start, const std
     at = advance(robot, at, piece.mode, piece.phi, piece.length);
   }
   path.goal = at;
-  return stop_and_steer(path, robot, robot.max_speed);
+  return stop_and_steer(path, robot);
 }
 
 /// The options for a base without lag and latency.

@@ -60,12 +60,4 @@ inline DiscCover without_margin(DiscCover cover, const Robot& robot)
   return cover;
 }
 
-/// Many small discs without safety margin, over cells of at most 62.5 mm. They extend beyond the body by 13 mm at most.
-inline DiscCover snug_cover(const Robot& robot)
-{
-  constexpr double kCell = 0.0625;  // [m]
-  const auto cells = [](double side) { return static_cast<int>(std::ceil(side / kCell)); };
-  return without_margin(disc_cover(robot, cells(robot.length), cells(robot.width)), robot);
-}
-
 }  // namespace fourwis

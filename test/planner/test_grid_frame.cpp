@@ -1,0 +1,138 @@
+#include "planner/grid_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "../support/random.h"
+#include "hall.h"
+
+namespace fourwis
+{
+namespace
+{
+
+constexpr unsigned kSeed = 81;
+const Pose kStart = {0.8, 0.8, 0.0}, kGoal = {11.0, 11.2, M_PI_2};
+
+PlanResult plan_maze(const Pose& origin, PlanTrace* trace = nullptr)
+{
+  PlannerOptions options;
+  options.planner_patience = 60.0;
+  const World world(maze(origin), {}, options);
+  return Planner(options).plan(world, {compose(origin, kStart), compose(origin, kGoal), {}}, {}, trace);
+}
+
+/// What a double can tell apart at a place [m].
+double grain(const Pose& origin)
+{
+  return 1e-9 + 1e-15 * std::max(std::abs(origin.x), std::abs(origin.y));
+}
+
+struct MazeFarAway : testing::TestWithParam<Pose>
+{};
+
+TEST_P(MazeFarAway, IsDrivenAsAtTheOrigin)
+{
+  static const PlanResult here = plan_maze({});
+  ASSERT_EQ(here.status, PlanStatus::succeeded) << here.message;
+  const PlanResult there = plan_maze(GetParam());
+  ASSERT_EQ(there.status, PlanStatus::succeeded) << there.message;
+  EXPECT_NEAR(there.metrics.arrival_time, here.metrics.arrival_time, 1e-4);
+  EXPECT_NEAR(there.metrics.length, here.metrics.length, 1e-3);
+  EXPECT_EQ(there.candidate, here.candidate);
+  EXPECT_EQ(there.fallback_parts, here.fallback_parts);
+  ASSERT_EQ(there.trajectory.size(), here.trajectory.size());
+  for (std::size_t i = 0; i < there.trajectory.size(); ++i)
+  {
+    const Pose expected = compose(GetParam(), here.trajectory[i].pose()), pose = there.trajectory[i].pose();
+    ASSERT_LT(distance(pose, expected), 1e-3 + grain(GetParam())) << "point " << i;
+    ASSERT_NEAR(pose.theta, expected.theta, 1e-3) << "point " << i << ": nor may headings jump by a full turn";
+  }
+}
+
+TEST_P(MazeFarAway, HasItsPathAndItsPicturesInTheMapFrame)
+{
+  const Pose origin = GetParam();
+  PlanTrace trace;
+  const PlanResult result = plan_maze(origin, &trace);
+  ASSERT_EQ(result.status, PlanStatus::succeeded) << result.message;
+  const auto is_near = [&](const Pose& pose, const Pose& in_grid) {
+    return distance(pose, compose(origin, in_grid)) < 1e-3 + 3.0 * grain(origin);
+  };
+  EXPECT_TRUE(is_near(result.path.pieces.front().start, kStart));
+  EXPECT_TRUE(is_near(result.path.goal, kGoal));
+  EXPECT_TRUE(is_near(result.trajectory.front().pose(), kStart));
+  EXPECT_TRUE(is_near(result.trajectory.back().pose(), kGoal));
+  ASSERT_FALSE(trace.expanded.empty());
+  EXPECT_TRUE(is_near(trace.expanded.front(), kStart));
+  for (const Pose& pose : trace.expanded)
+  {
+    const Pose in_grid = relative_to(origin, pose);
+    ASSERT_TRUE(in_grid.x > 0.0 && in_grid.y > 0.0 && in_grid.x < 12.0 && in_grid.y < 12.0) << text(in_grid);
+  }
+  ASSERT_FALSE(trace.rounds.empty());
+  // Regions hold the disc centres of the points next to them.
+  for (const std::vector<RefinementRound>& rounds : trace.rounds)
+    for (const DiscRegions& disc : rounds.back().corridor)
+      for (std::size_t k = 0; k < disc.regions.size(); ++k)
+      {
+        const Pose centre = compose(rounds.back().points[k].pose(), {disc.centre.x, disc.centre.y, 0.0});
+        // c grows with the distance from the origin and with it its rounding.
+        for (const HalfPlane& plane : disc.regions[k])
+          ASSERT_LE(plane.a * centre.x + plane.b * centre.y, plane.c + 0.05 + 10.0 * grain(origin));
+      }
+}
+
+INSTANTIATE_TEST_SUITE_P(Origins, MazeFarAway,
+                         testing::Values(Pose{453211.37, 5400000.0, 0.0}, Pose{4508927511.5, -5511483896.25, 0.0},
+                                         Pose{-3.0, 7.0, 0.5}, Pose{453211.37, 5400000.0, -2.2}, Pose{0.0, 0.0, M_PI_2},
+                                         Pose{12.5, -4.0, 3.0 * M_PI}));
+
+TEST(GridFrame, OfAnOriginOfZeroChangesNoBit)
+{
+  Random random(kSeed);
+  const GridFrame frame{Pose{}};
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Pose pose = random.pose(100.0);
+    for (const Pose& same : {frame.to_grid(pose), frame.to_map(pose)})
+    {
+      ASSERT_EQ(same.x, pose.x);
+      ASSERT_EQ(same.y, pose.y);
+      ASSERT_EQ(same.theta, pose.theta);
+    }
+  }
+}
+
+TEST(GridFrame, ThereAndBackIsTheSamePose)
+{
+  Random random(kSeed);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const GridFrame frame(random.pose(1e6));
+    const Pose pose = random.pose(20.0), back = frame.to_grid(frame.to_map(pose));
+    ASSERT_LT(distance(back, pose), 1e-8);
+    ASSERT_NEAR(back.theta, pose.theta, 1e-12);
+  }
+}
+
+TEST(WorldOnATurnedGrid, HoldsATrajectoryOfTheMapFrameAgainstItsObstacles)
+{
+  const Pose origin = {300.0, -50.0, 2.0};
+  const PlannerOptions options;
+  OccupancyGrid grid = free_area(8.0, 4.0, 0.05, origin);
+  const World before(grid, {}, options);
+  const PlanResult result =
+      Planner(options).plan(before, {compose(origin, {1.0, 2.0, 0.0}), compose(origin, {7.0, 2.0, 0.0}), {}});
+  ASSERT_EQ(result.status, PlanStatus::succeeded) << result.message;
+  EXPECT_FALSE(before.first_violation_from(0.0, result.trajectory).has_value());
+  occupy_block(grid, 80, 40, 2, 2);
+  const World after(grid, {}, options);
+  const std::optional<Violation> found = after.first_violation_from(0.0, result.trajectory);
+  ASSERT_TRUE(found.has_value());
+  // The front, half a metre ahead, meets the post at x = 4 m after 2.5 m.
+  EXPECT_NEAR(found->t, 2.5 + 0.1, 0.15);
+  EXPECT_FALSE(after.first_violation_from(6.0, result.trajectory).has_value());
+}
+
+}  // namespace
+}  // namespace fourwis
