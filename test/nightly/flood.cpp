@@ -1,6 +1,7 @@
 // Random planning problems, whose answers are held against a flood of the exact rectangle and against the body's own drive.
 // Exit status 1 when an answer is wrong, 2 for arguments that make no sense.
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <stdexcept>
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr int kProblemsOfAPlace = 5;
+constexpr int kReport = 50;  ///< problems from one sign of life to the next
 
 struct Arguments
 {
@@ -69,6 +71,7 @@ public:
     Count& count = counts_[to_string(result.status)];
     ++count.answers;
     count.ways += place.flood.joins(request.start, request.goal) ? 1 : 0;
+    if (++problems_ % kReport == 0) std::cout << problems_ << " problems answered" << std::endl;
     const std::string fault = fault_in_answer(place, request, result);
     if (fault.empty()) return;
     ++count.wrong;
@@ -96,6 +99,7 @@ private:
     int answers = 0, ways = 0, wrong = 0;
   };
   std::map<std::string, Count> counts_;
+  int problems_ = 0;
 };
 
 void plan_on_maps(const Arguments& arguments, Statistics& statistics)
