@@ -3,7 +3,7 @@
 set -uo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-parts=(sanitize threads fuzz flood tidy core)
+parts=(sanitize threads fuzz flood figures tidy core)
 
 usage()
 {
@@ -13,6 +13,7 @@ usage: nightly.sh [PART]...      all parts, or those given
   threads   ThreadSanitizer: planner, map store, buses, the bridge's thread
   fuzz      the fuzz loops of the tests with FOURWIS_FUZZ_FACTOR (20) times their rounds
   flood     1,000 random problems against a flood of the exact rectangle
+  figures   random problems of the default robot: how many are solved of those that a flood of the exact rectangle can do, CPU time
   tidy      lint.sh --all: tests as well, and with the static analyzer
   core      the build without ROS, and all its tests
 Ends with a line for each part: whether it passed, and how long it took. Exit status: 1 when a part failed.
@@ -81,6 +82,15 @@ part_fuzz()
 part_flood()
 {
   "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON nightly_flood && flood "$root/build" 900 25
+}
+
+# On random places, the project's maps, and those of third parties where they lie beside the project.
+part_figures()
+{
+  local maps=("$root"/config/env?.yaml) beside=$root/../shared
+  [[ ! -d $beside ]] || maps+=("$beside"/maps/{bit_4wis,mppi_swerve}/*.yaml "$beside"/problems/generated/*.yaml)
+  "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON nightly_figures &&
+    "$(program "$root/build" nightly_figures)" --verbose --problems 10 --random 150 "${maps[@]}"
 }
 
 part_tidy() { "$root/scripts/lint.sh" --all; }

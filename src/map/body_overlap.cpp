@@ -98,7 +98,6 @@ private:
 
 }  // namespace
 
-
 Placed placed(const Pose& pose)
 {
   return {pose.x, pose.y, std::cos(pose.theta), std::sin(pose.theta)};

@@ -93,7 +93,9 @@ void set_bounds(const SegmentTask& task, const MotionLimits& limits, const Optim
   const double ramp = limits.speed * limits.speed / limits.acceleration;
   const double room = std::sqrt(std::min(travel, ramp) / limits.acceleration);
   // The time of an interval as long as the longer of the two at a knot, so that curves may be moved a little.
-  const auto h_at = [&](std::size_t knot) { return std::max(h_ref[knot > 0 ? knot - 1 : 0], h_ref[std::min(knot, n - 1)]); };
+  const auto h_at = [&](std::size_t knot) {
+    return std::max(h_ref[knot > 0 ? knot - 1 : 0], h_ref[std::min(knot, n - 1)]);
+  };
   const auto longest = [&](std::size_t knot, double factor) { return std::max(factor * h_at(knot), room); };
   const auto takes_time = [&](std::size_t knot) {
     return is_at_rest(segment, knot) ||
@@ -120,7 +122,8 @@ double steering_time(const Segment& segment, std::size_t knot, double rate)
 }
 
 /// Speeds at the knots at which each interval takes h_ref or more, and which the acceleration allows.
-std::vector<double> reference_speeds(const Segment& segment, const MotionLimits& limits, const std::vector<double>& h_ref)
+std::vector<double> reference_speeds(const Segment& segment, const MotionLimits& limits,
+                                     const std::vector<double>& h_ref)
 {
   const std::size_t n = segment.intervals();
   std::vector<double> speed(n + 1, 0.0);
@@ -138,7 +141,8 @@ std::vector<double> reference_speeds(const Segment& segment, const MotionLimits&
 }  // namespace
 
 template <class WheelSpeeds>
-void SegmentModel<WheelSpeeds>::evaluate(std::size_t k, const State& x, const Control& u, const State& next, Value& value) const
+void SegmentModel<WheelSpeeds>::evaluate(std::size_t k, const State& x, const Control& u, const State& next,
+                                         Value& value) const
 {
   const double sweep = x[3] * u[1], late = u[2] - h_ref[k];
   value.cost = u[2] + alpha * sweep * sweep * u[2] + interval_weight * late * late;
@@ -147,7 +151,7 @@ void SegmentModel<WheelSpeeds>::evaluate(std::size_t k, const State& x, const Co
 
 template <class WheelSpeeds>
 void SegmentModel<WheelSpeeds>::differentiate(std::size_t k, const State& x, const Control& u, const State& lambda,
-                                 Derivatives& d) const
+                                              Derivatives& d) const
 {
   dynamics.differentiate(x, u, lambda, d.jacobian, d.hessian);
   const double v = x[3], omega = u[1], h = u[2];
@@ -172,7 +176,8 @@ void SegmentModel<WheelSpeeds>::differentiate(std::size_t k, const State& x, con
 /// (s / reach)^2 - 1 <= 0 with the way s = v h + a h^2 / 2. Where the robot takes time to steer, it must not move far
 /// between two knots, because regions and chords are valid only near the reference.
 template <class WheelSpeeds>
-void SegmentModel<WheelSpeeds>::differentiate_way(const RowPoint& q, double y, Gradients& gradients, RowHessian& hessian) const
+void SegmentModel<WheelSpeeds>::differentiate_way(const RowPoint& q, double y, Gradients& gradients,
+                                                  RowHessian& hessian) const
 {
   const double v = q[3], a = q[5], h = q[7], scale = 2.0 / (reach * reach);
   const double way = way_of(q);
@@ -206,8 +211,8 @@ void SegmentModel<WheelSpeeds>::rows(std::size_t k, const RowPoint& q, ocp::RowV
 }
 
 template <class WheelSpeeds>
-void SegmentModel<WheelSpeeds>::differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y, Gradients gradients,
-                                      RowHessian& hessian) const
+void SegmentModel<WheelSpeeds>::differentiate_rows(std::size_t k, const RowPoint& q, ocp::RowMultipliers y,
+                                                   Gradients gradients, RowHessian& hessian) const
 {
   const double c = std::cos(q[2]), s = std::sin(q[2]);
   const DiscRow* row = disc_rows.data() + first_row[k];
@@ -225,7 +230,7 @@ void SegmentModel<WheelSpeeds>::differentiate_rows(std::size_t k, const RowPoint
 
 template <class WheelSpeeds>
 SegmentProblem<WheelSpeeds> segment_problem(const SegmentTask& task, const Robot& robot, const OptimizeOptions& options,
-                               const MotionLimits& limits, double reference_speed)
+                                            const MotionLimits& limits, double reference_speed)
 {
   const Segment& segment = task.segment;
   const std::size_t n = segment.intervals();
@@ -279,7 +284,8 @@ ocp::Trajectory<5, 3> reference_guess(const Segment& segment, const MotionLimits
   }
   for (std::size_t k = 0; k < n; ++k)
   {
-    const double h = std::max(h_ref[k], 2.0 * std::abs(segment.length[k]) / std::max(kStandstill, speed[k] + speed[k + 1]));
+    const double h =
+        std::max(h_ref[k], 2.0 * std::abs(segment.length[k]) / std::max(kStandstill, speed[k] + speed[k + 1]));
     const auto change = ((guess.states[k + 1] - guess.states[k]) / h).eval();
     guess.controls.emplace_back(std::clamp(change[3], -limits.acceleration, limits.acceleration),
                                 std::clamp(change[4], -limits.steering_rate, limits.steering_rate), h);

@@ -60,11 +60,11 @@ struct SegmentModel : ocp::ModelBase<5, 3, 3, WheelRateRows::kRows + 1 + WheelSp
   SimpsonDynamics dynamics;
   static constexpr int kWayRow = WheelRateRows::kRows, kSpeedRows = kWayRow + 1;
 
-  WheelRateRows wheel_rates;    ///< the first rows of each interval
-  double reach = 1.0;           ///< most that C moves within an interval [m]: the row after them
-  WheelSpeeds wheel_speeds;     ///< the rows after that
+  WheelRateRows wheel_rates;  ///< the first rows of each interval
+  double reach = 1.0;         ///< most that C moves within an interval [m]: the row after them
+  WheelSpeeds wheel_speeds;   ///< the rows after that
   double alpha = 0.0, interval_weight = 0.0;
-  std::vector<double> h_ref;  ///< of each interval [s]
+  std::vector<double> h_ref;           ///< of each interval [s]
   std::vector<DiscRow> disc_rows;      ///< stage by stage
   std::vector<std::size_t> first_row;  ///< of each stage in disc_rows
 };
@@ -79,7 +79,7 @@ struct SegmentProblem
 
 template <class WheelSpeeds>
 SegmentProblem<WheelSpeeds> segment_problem(const SegmentTask& task, const Robot& robot, const OptimizeOptions& options,
-                               const MotionLimits& limits, double reference_speed);
+                                            const MotionLimits& limits, double reference_speed);
 
 /// The reference driven at the reference speed, where the wheels can do that, paper eq. (21); `h_ref` seconds for each
 /// interval.

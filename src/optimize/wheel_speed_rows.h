@@ -78,7 +78,7 @@ private:
   static Row at_begin(const Point& q, const Ratio& begin);
   static Row between(const Point& q, const Ratio& begin, const Ratio& end);
 
-  double gauge_;        ///< c; 0 where phi does not turn the body, and then R = 1
+  double gauge_;  ///< c; 0 where phi does not turn the body, and then R = 1
   bool turns_;
   double inverse_max_;  ///< 1 / w
 };

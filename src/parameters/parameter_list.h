@@ -69,8 +69,9 @@ public:
   {
     const std::string name = prefix_ + std::string(key);
     const OptionRange range{least, greatest, unit};
-    parameters_.push_back({name, value ? to_text(*value) : otherwise, limits_of(range), unit,
-                           [name, &value, range](const ParameterValue& given) { value = number_in(name, given, range); }, true});
+    parameters_.push_back(
+        {name, value ? to_text(*value) : otherwise, limits_of(range), unit,
+         [name, &value, range](const ParameterValue& given) { value = number_in(name, given, range); }, true});
   }
 
   template <class Value, class Text>

@@ -46,7 +46,8 @@ std::vector<Path> split_at_cusps(const Path& path)
   std::vector<Path> runs;
   for (const PathPiece& piece : path.pieces)
   {
-    if (runs.empty() || std::signbit(runs.back().pieces.back().length) != std::signbit(piece.length)) runs.emplace_back();
+    if (runs.empty() || std::signbit(runs.back().pieces.back().length) != std::signbit(piece.length))
+      runs.emplace_back();
     runs.back().pieces.push_back(piece);
   }
   return runs;
@@ -110,11 +111,12 @@ void append(const Robot& robot, const Trajectory& part, Trajectory& whole)
   {
     TrajectoryPoint& end = whole.back();
     const TrajectoryPoint& next = part.front();
-    const double stand = end.mode == next.mode
-                             ? steering_time(robot, end.mode, end.phi, next.phi)
-                             : std::max(robot.mode_switch_time,
-                                        kSwitchReserve * reorientation_time(robot, wheel_angles(robot, end.mode, end.phi),
-                                                                            wheel_angles(robot, next.mode, next.phi)));
+    const double stand =
+        end.mode == next.mode
+            ? steering_time(robot, end.mode, end.phi, next.phi)
+            : std::max(robot.mode_switch_time,
+                       kSwitchReserve * reorientation_time(robot, wheel_angles(robot, end.mode, end.phi),
+                                                           wheel_angles(robot, next.mode, next.phi)));
     begin = end.t + stand;
     if (end.mode == next.mode) end.omega = (next.phi - end.phi) / stand;
   }

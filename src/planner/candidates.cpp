@@ -66,12 +66,14 @@ Candidates find_candidates(const Search& search, const std::vector<SearchVariant
   std::vector<SearchResult> results(variants.size());
   threads.for_each(variants.size(), [&](std::size_t i) {
     const SearchVariant& variant = variants[i];
-    results[i] = search.find(variant.options, variant.modes, std::min(effort, Effort::both_ways), i == 0 ? expanded : nullptr);
+    results[i] =
+        search.find(variant.options, variant.modes, std::min(effort, Effort::both_ways), i == 0 ? expanded : nullptr);
   });
   Candidates found = collect(variants, results);
   if (found.status != PlanStatus::no_path || effort == Effort::quick) return found;
   const int expansions = found.expansions;
-  found = collect({variants.front()}, {search.find(variants.front().options, variants.front().modes, effort, expanded)});
+  found =
+      collect({variants.front()}, {search.find(variants.front().options, variants.front().modes, effort, expanded)});
   found.expansions += expansions;
   return found;
 }

@@ -44,7 +44,7 @@ std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOpti
 /// What they find, searching at the same time: all with a quick search, and where that finds nothing and more effort is
 /// allowed, the first variant with a thorough one. Poses that the first expands are appended to `expanded` where it is not
 /// null.
-Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort, ThreadBudget& threads,
-                           std::vector<Pose>* expanded = nullptr);
+Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,
+                           ThreadBudget& threads, std::vector<Pose>* expanded = nullptr);
 
 }  // namespace fourwis

@@ -79,8 +79,9 @@ std::string collision_sentence(const World& world, const Endpoint& endpoint, con
   const std::string where = sentence("the %s (%.3f, %.3f, %.3f) ", place, asked.x, asked.y, asked.theta);
   const OccupancyGrid& grid = world.grid;
   if (endpoint.off_map)
-    return where + sentence("is off the map, which is %.2f x %.2f m large; ", grid.width * grid.resolution,
-                            grid.height * grid.resolution) +
+    return where +
+           sentence("is off the map, which is %.2f x %.2f m large; ", grid.width * grid.resolution,
+                    grid.height * grid.resolution) +
            nearest_sentence(world, pose);
   if (endpoint.unseen) return where + "lies on cells that no sensor has seen; " + nearest_sentence(world, pose);
   if (!std::isfinite(endpoint.clearance)) return where + "lies in an obstacle; " + nearest_sentence(world, pose);
@@ -93,7 +94,8 @@ bool stands_on_unseen_ground(const World& world, const Pose& pose)
   const std::vector<CellIndex> cells =
       overlapped_cells(world.obstacles, grown(body_of(world.robot), world.robot.safety_margin), pose);
   return std::any_of(cells.begin(), cells.end(), [&](const CellIndex& cell) {
-    return !is_known(world.grid.at(cell.column, cell.row)) && world.obstacles.next_obstacle(cell.column, cell.row) == cell.column;
+    return !is_known(world.grid.at(cell.column, cell.row)) &&
+           world.obstacles.next_obstacle(cell.column, cell.row) == cell.column;
   });
 }
 

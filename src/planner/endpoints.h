@@ -11,9 +11,10 @@ namespace fourwis
 /// How the body stands at the start or at the goal.
 struct Endpoint
 {
-  double clearance = 0.0;  ///< of each side of the body to obstacles, at most the safety margin [m]; negative: it overlaps
-  bool off_map = false;    ///< part of the body lies outside the grid
-  bool unseen = false;     ///< what it overlaps are cells that no sensor has seen
+  double clearance =
+      0.0;  ///< of each side of the body to obstacles, at most the safety margin [m]; negative: it overlaps
+  bool off_map = false;  ///< part of the body lies outside the grid
+  bool unseen = false;   ///< what it overlaps are cells that no sensor has seen
 };
 
 /// At a pose in the frame of the world's grid.

@@ -33,8 +33,8 @@ constexpr double kWorthPolishing = 1.01;
 struct Task
 {
   PlanContext context;
-  const PlanRequest& request;  ///< in the frame of the world's grid
-  const PlanRequest& asked;    ///< the same in the map frame
+  const PlanRequest& request;               ///< in the frame of the world's grid
+  const PlanRequest& asked;                 ///< the same in the map frame
   const std::optional<PathPiece>& way_out;  ///< of obstacles that the body overlaps at the start
   PlanTrace* trace;
 

@@ -57,7 +57,8 @@ std::optional<double> length_to_freedom(const World& world, const PathPiece& pie
   double before = body_clearance(world.obstacles, body, piece.start, kWanted);
   for (double length = kStep; length < longest; length += kStep)
   {
-    const double clearance = body_clearance(world.obstacles, body, arc.pose(std::copysign(length, piece.length)), kWanted);
+    const double clearance =
+        body_clearance(world.obstacles, body, arc.pose(std::copysign(length, piece.length)), kWanted);
     if (clearance < before) return std::nullopt;
     if (clearance >= kWanted) return length;
     before = clearance;

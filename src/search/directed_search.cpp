@@ -50,8 +50,8 @@ SearchResult DirectedSearch::guided(const SearchOptions& options, const ModeSet&
                                     std::vector<Pose>* expanded) const
 {
   const HolonomicDistance& field = holonomic_distance();
-  const Guide guide = {std::cref(field),
-                       [&](const Pose& pose, std::vector<Pose>& way) { field.way_ahead(pose, way); }, kBin};
+  const Guide guide = {std::cref(field), [&](const Pose& pose, std::vector<Pose>& way) { field.way_ahead(pose, way); },
+                       kBin};
   return hybrid_astar(problem_, options, modes, guide, expanded);
 }
 

@@ -4,9 +4,9 @@
 #include <mutex>
 #include <vector>
 
-#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/hybrid_astar.h"
 #include "fourwis_navigation/search/search_problem.h"
+#include "goal_distance.h"
 #include "holonomic_distance.h"
 
 namespace fourwis

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/goal_distance.h"
+#include "goal_distance.h"
 
 #include <algorithm>
 #include <array>

@@ -97,7 +97,8 @@ public:
     const int begin = static_cast<int>(std::max(0.0, first)), end = static_cast<int>(std::min(count_ - 1.0, last));
     if (!(first < count_) || !(last >= 0.0) || begin > end) return;
     const std::size_t from = static_cast<std::size_t>(begin / kWord), to = static_cast<std::size_t>(end / kWord);
-    const std::uint64_t head = ~std::uint64_t{0} << begin % kWord, tail = ~std::uint64_t{0} >> (kWord - 1 - end % kWord);
+    const std::uint64_t head = ~std::uint64_t{0} << begin % kWord,
+                        tail = ~std::uint64_t{0} >> (kWord - 1 - end % kWord);
     if (from == to)
     {
       words_[from] |= head & tail;
@@ -172,8 +173,7 @@ HeadingSlices::HeadingSlices(const ObstacleMap& map, double spacing, const Conve
     for (int first = 0; first < columns_; first += kWord)
     {
       std::array<std::uint64_t, kWord> square;
-      for (std::size_t k = 0; k < kHeadings; ++k)
-        square[k] = ~blocked[k].word(static_cast<std::size_t>(first / kWord));
+      for (std::size_t k = 0; k < kHeadings; ++k) square[k] = ~blocked[k].word(static_cast<std::size_t>(first / kWord));
       transpose(square);
       std::copy_n(square.begin(), std::min(kWord, columns_ - first), &clear_[index(first, j)]);
     }

@@ -55,10 +55,7 @@ public:
   double spacing() const { return spacing_; }
 
   /// None for points outside.
-  HeadingSet at(int i, int j) const
-  {
-    return i < 0 || j < 0 || i >= columns_ || j >= rows_ ? 0 : clear_[index(i, j)];
-  }
+  HeadingSet at(int i, int j) const { return i < 0 || j < 0 || i >= columns_ || j >= rows_ ? 0 : clear_[index(i, j)]; }
   void add(int i, int j, HeadingSet headings) { clear_[index(i, j)] |= headings; }
 
 private:

@@ -34,7 +34,9 @@ HolonomicDistance::HolonomicDistance(const SearchProblem& problem, double spacin
   for (int cell = 0; cell < static_cast<int>(cells_.count()); ++cell)
     for (const auto& [i, j] : points_of(cell)) free[static_cast<std::size_t>(cell)] |= points_.at(i, j);
   std::vector<std::vector<Wave>> waves(std::size_t{kTurnSteps} + 1);  // of the last steps
-  const auto wave_of = [&](int step) -> std::vector<Wave>& { return waves[static_cast<std::size_t>(step) % waves.size()]; };
+  const auto wave_of = [&](int step) -> std::vector<Wave>& {
+    return waves[static_cast<std::size_t>(step) % waves.size()];
+  };
   const auto reach = [&](int cell, HeadingSet headings, int step) {
     const HeadingSet fresh = headings & ~reached[static_cast<std::size_t>(cell)];
     if (fresh == 0) return;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/search_problem.h"
+#include "goal_distance.h"
 #include "heading_slices.h"
 
 namespace fourwis

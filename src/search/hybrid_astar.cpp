@@ -64,8 +64,7 @@ struct OpenEntry
 class HybridAStar
 {
 public:
-  HybridAStar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes,
-              const Guide& guide)
+  HybridAStar(const SearchProblem& problem, const SearchOptions& options, const ModeSet& modes, const Guide& guide)
     : checker_(problem.checker),
       robot_(checker_.robot()),
       options_(options),
@@ -155,8 +154,7 @@ private:
     const auto cell = [](double value, double size) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) & 0xFFFFF);
     };
-    return cell(n.pose.x - request_.goal.x, cell_size_) |
-           cell(n.pose.y - request_.goal.y, cell_size_) << 20 |
+    return cell(n.pose.x - request_.goal.x, cell_size_) | cell(n.pose.y - request_.goal.y, cell_size_) << 20 |
            cell(heading, options_.heading_resolution) << 40 | static_cast<std::uint64_t>(n.mode) << 56 |
            direction << 59;
   }

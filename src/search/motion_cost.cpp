@@ -13,10 +13,9 @@ namespace
 
 /// Each of the two costs of a switch is no more than this, in sizes of the robot: greater ones would make a search look
 /// everywhere else first. Which path is the fastest is told later, by their times.
-constexpr double kMostSwitchCost = 1.0;
+constexpr double kMostSwitchCost = 2.5;
 
 }  // namespace
-
 
 MotionCost::MotionCost(const Robot& robot, const SearchOptions& options)
   : robot_(robot),
@@ -36,7 +35,8 @@ MotionCost::MotionCost(const Robot& robot, const SearchOptions& options)
   if (!options.switching_awareness) return;
   const double v = v_ref_;
   const double most = kMostSwitchCost * robot.size();
-  const double waiting = std::min(most, v * robot.mode_switch_time), stopping = std::min(most, v * v / robot.max_acceleration);
+  const double waiting = std::min(most, v * robot.mode_switch_time),
+               stopping = std::min(most, v * v / robot.max_acceleration);
   switch_ = waiting + stopping;
   switch_at_start_ = waiting + stopping / 2.0;
 }

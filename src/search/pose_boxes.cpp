@@ -93,7 +93,8 @@ PoseBoxes::State PoseBoxes::look(const PoseBox& box) const
   for (const Spot& spot : spots_)
   {
     if (spot.margin >= margin) continue;
-    if (std::hypot(place.x - spot.x, place.y - spot.y) >= CollisionChecker::TightSpot::kRadius + reach_[level]) continue;
+    if (std::hypot(place.x - spot.x, place.y - spot.y) >= CollisionChecker::TightSpot::kRadius + reach_[level])
+      continue;
     near = &spot.shapes;
     margin = spot.margin;
   }

@@ -79,11 +79,11 @@ private:
   static constexpr std::uint8_t kSplit = 3;
 
   const CollisionChecker& checker_;
-  std::vector<double> size_, turn_;      ///< of the boxes of each level [m], [rad]
-  std::vector<double> reach_;            ///< how far a point of the body is from where it is at the centre of a box [m]
-  std::vector<Shape> shapes_;            ///< for each level
-  std::vector<Spot> spots_;              ///< tight ones
-  int columns_, rows_;                   ///< of boxes of level 0
+  std::vector<double> size_, turn_;  ///< of the boxes of each level [m], [rad]
+  std::vector<double> reach_;        ///< how far a point of the body is from where it is at the centre of a box [m]
+  std::vector<Shape> shapes_;        ///< for each level
+  std::vector<Spot> spots_;          ///< tight ones
+  int columns_, rows_;               ///< of boxes of level 0
   std::unordered_map<std::uint64_t, std::uint8_t> states_;
   int looks_ = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/search_problem.h"
+#include "goal_distance.h"
 
 namespace fourwis
 {

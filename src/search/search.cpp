@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "directed_search.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
-#include "directed_search.h"
 #include "mode_curves.h"
 #include "motion_cost.h"
 #include "reachability.h"
@@ -67,10 +67,7 @@ bool may_turn(const Pose& start, const Pose& goal, const ModeSet& modes)
   return can_turn(modes) || std::abs(wrap_angle(goal.theta - start.theta)) <= ModeCurves::kSameHeading;
 }
 
-Search::Search(const SearchProblem& problem)
-  : problem_(problem),
-    forward_(std::make_unique<DirectedSearch>(problem))
-{}
+Search::Search(const SearchProblem& problem) : problem_(problem), forward_(std::make_unique<DirectedSearch>(problem)) {}
 
 Search::~Search() = default;
 

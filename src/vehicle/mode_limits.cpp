@@ -69,13 +69,13 @@ std::vector<std::string> limitations(const Robot& robot)
   {
     const char* name = to_string(mode);
     if (!limits[mode].possible)
-      sentences.push_back(sentence("%s motion is left out: no wheel turns that far within 'wheel_max_angle' = %.4g rad", name,
-                                   robot.wheel_max_angle));
+      sentences.push_back(sentence("%s motion is left out: no wheel turns that far within 'wheel_max_angle' = %.4g rad",
+                                   name, robot.wheel_max_angle));
     else if (traits_of(mode).turns_with_phi() && limits[mode].phi < robot.max_steering_angle)
-      sentences.push_back(
-          sentence("%s motion steers by %.4g rad at most instead of 'max_steering_angle' = %.4g rad: the wheels turn within "
-                   "'wheel_max_angle' = %.4g rad",
-                   name, limits[mode].phi, robot.max_steering_angle, robot.wheel_max_angle));
+      sentences.push_back(sentence(
+          "%s motion steers by %.4g rad at most instead of 'max_steering_angle' = %.4g rad: the wheels turn within "
+          "'wheel_max_angle' = %.4g rad",
+          name, limits[mode].phi, robot.max_steering_angle, robot.wheel_max_angle));
   }
   return sentences;
 }

@@ -65,8 +65,10 @@ bool overlap(const std::vector<Point2>& p, const std::vector<Point2>& q)
       const Point2 &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
       const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
       double p_low = INFINITY, p_high = -INFINITY, q_low = INFINITY, q_high = -INFINITY;
-      for (const Point2& c : p) p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
-      for (const Point2& c : q) q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
+      for (const Point2& c : p)
+        p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
+      for (const Point2& c : q)
+        q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
       if (p_low > q_high - kTouch || q_low > p_high - kTouch) return false;
     }
   return true;
@@ -92,7 +94,8 @@ std::vector<Point2> square(const OccupancyGrid& grid, int column, int row)
 
 ConvexPolygon any_polygon(Random& random)
 {
-  const double x = random.between(-0.6, 0.6), y = random.between(-0.3, 0.3), a = random.between(0.1, 0.8), b = random.between(0.1, 0.8);
+  const double x = random.between(-0.6, 0.6), y = random.between(-0.3, 0.3), a = random.between(0.1, 0.8),
+               b = random.between(0.1, 0.8);
   const double first = random.angle();
   ConvexPolygon polygon;
   const int corners = random.whole(3, 7);
@@ -153,11 +156,13 @@ TEST(OverlappedCells, AreThoseThatNoSideSeparates)
       const ConvexPolygon body = any_polygon(random);
       const Pose pose = any_pose(grid, random);
       std::set<std::pair<int, int>> found;
-      for (const CellIndex& cell : overlapped_cells(map, body, pose)) ASSERT_TRUE(found.insert({cell.column, cell.row}).second);
+      for (const CellIndex& cell : overlapped_cells(map, body, pose))
+        ASSERT_TRUE(found.insert({cell.column, cell.row}).second);
       const std::vector<Point2> corners = placed_polygon(grid, body, pose);
       for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
-          ASSERT_EQ(found.count({column, row}) > 0, overlap(corners, square(grid, column, row))) << column << ' ' << row;
+          ASSERT_EQ(found.count({column, row}) > 0, overlap(corners, square(grid, column, row)))
+              << column << ' ' << row;
     }
   });
 }
@@ -168,7 +173,8 @@ TEST(LiesIn, IsAboutTheBorderAlone)
   occupy_block(grid, 0, 0, 40, 30);
   const ObstacleMap map(grid);
   const ConvexPolygon body = body_of({});
-  for (const auto& [x, y, inside] : {std::tuple(2.0, 1.5, true), {0.5, 1.5, true}, {0.4999, 1.5, false}, {2.0, 2.69, true}, {2.0, 2.6901, false}})
+  for (const auto& [x, y, inside] :
+       {std::tuple(2.0, 1.5, true), {0.5, 1.5, true}, {0.4999, 1.5, false}, {2.0, 2.69, true}, {2.0, 2.6901, false}})
     EXPECT_EQ(lies_in(map, body, compose(grid.origin, {x, y, 0.0})), inside) << x << ' ' << y;
   EXPECT_FALSE(lies_in(map, body, {std::nan(""), 0.0, 0.0}));
 }
@@ -232,7 +238,8 @@ TEST(IsClear, IsFalseForNumbersThatAreNone)
 {
   const ObstacleMap map(free_area(4.0, 4.0, 0.1));
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  for (const Pose& pose : {Pose{nan, 2.0, 0.0}, {2.0, nan, 0.0}, {2.0, 2.0, nan}, {infinity, 2.0, 0.0}, {2.0, -1e300, 0.0}})
+  for (const Pose& pose :
+       {Pose{nan, 2.0, 0.0}, {2.0, nan, 0.0}, {2.0, 2.0, nan}, {infinity, 2.0, 0.0}, {2.0, -1e300, 0.0}})
     EXPECT_FALSE(is_clear(map, body_of({}), placed(pose))) << text(pose);
 }
 

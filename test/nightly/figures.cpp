@@ -97,8 +97,8 @@ public:
     for (double share : {0.5, 0.9, 0.95, 0.99, 1.0})
     {
       const std::size_t last = sorted.size() - 1;
-      std::cout << "CPU time, " << 100.0 * share << " %: "
-                << 1e3 * sorted[static_cast<std::size_t>(share * static_cast<double>(last))] << " ms\n";
+      std::cout << "CPU time, " << 100.0 * share
+                << " %: " << 1e3 * sorted[static_cast<std::size_t>(share * static_cast<double>(last))] << " ms\n";
     }
     std::cout << wrong_ << " wrong answers\n";
   }
@@ -148,8 +148,7 @@ int run(int argc, char** argv)
   };
   if (given.count("map") > 0)
     for (const std::string& map : given["map"].as<std::vector<std::string>>()) visit(read_map_file(map), map);
-  for (int k = 0; k < given["random"].as<int>(); ++k)
-    visit(random_grid(random), "random place " + std::to_string(k));
+  for (int k = 0; k < given["random"].as<int>(); ++k) visit(random_grid(random), "random place " + std::to_string(k));
   figures.print();
   return figures.all_right() ? 0 : 1;
 }

@@ -25,7 +25,7 @@ struct Place
   OccupancyGrid grid;  ///< its origin is (0, 0, 0)
   World world;
   ExactRectangle body;
-  RectangleFlood flood;         ///< where it joins two poses, the body has a way with the safety margin
+  RectangleFlood flood;  ///< where it joins two poses, the body has a way with the safety margin
 
 private:
   Pose pose(Random& random) const;

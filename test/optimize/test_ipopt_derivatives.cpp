@@ -100,7 +100,8 @@ TEST(IpoptDerivatives, OfASegmentsProblemMeetDifferences)
     const Corridor corridor = {{{0.25, 0.1}, {square, square}}, {{-0.25, -0.2}, {square, square}}};
     const MotionLimits limits(robot, mode);
     const auto problem = segment_problem<WheelSpeedRows>({segment, corridor}, robot, OptimizeOptions(), limits, 1.0);
-    const OcpNlp<SegmentModel<WheelSpeedRows>> program(problem.model, problem.numbers, reference_guess(segment, limits, {0.2, 0.2}));
+    const OcpNlp<SegmentModel<WheelSpeedRows>> program(problem.model, problem.numbers,
+                                                       reference_guess(segment, limits, {0.2, 0.2}));
     expect_exact_derivatives(program.nlp(), 8, 7);
   }
 }

@@ -50,7 +50,8 @@ struct WheelSpeeds : testing::Test
     double rows[2 * kRows];
     const WheelSpeedRows wheels(robot, mode);
     wheels.evaluate(q, rows);
-    wheels.evaluate(point(q[3] + q[5] * q[7], q[3] + q[5] * q[7], q[4] + q[6] * q[7], q[4] + q[6] * q[7], 0.1), rows + kRows);
+    wheels.evaluate(point(q[3] + q[5] * q[7], q[3] + q[5] * q[7], q[4] + q[6] * q[7], q[4] + q[6] * q[7], 0.1),
+                    rows + kRows);
     return *std::max_element(std::begin(rows), std::end(rows));
   }
 
@@ -80,7 +81,9 @@ struct WheelSpeeds : testing::Test
       const double phi = random.between(-1.3, 1.3), phi_end = std::clamp(phi + random.unit() * change, -1.3, 1.3);
       // Never through standstill: a segment's cusps are its knots.
       const double side = random.chance(0.5) ? 1.0 : -1.0;
-      visit(robot, mode, point(side * random.between(0.0, 2.0), side * random.between(0.0, 2.0), phi, phi_end, random.between(0.05, 0.5)));
+      visit(robot, mode,
+            point(side * random.between(0.0, 2.0), side * random.between(0.0, 2.0), phi, phi_end,
+                  random.between(0.05, 0.5)));
     }
   }
 

@@ -57,7 +57,8 @@ double disc_clearance(const ObstacleMap& map, const DiscCover& discs, const Pose
 }
 
 /// Least clearance by dense sampling of a piece; at each pose the larger of what the discs and what the body have.
-double sampled_clearance(const ObstacleMap& map, const DiscCover& discs, const MarginsOfBody& body, const PathPiece& piece)
+double sampled_clearance(const ObstacleMap& map, const DiscCover& discs, const MarginsOfBody& body,
+                         const PathPiece& piece)
 {
   double least = 0.1;  // as far as the certificate looks
   for (int k = 0; k <= 2000; ++k)
@@ -116,12 +117,14 @@ TEST(CertifierTest, LetsTheBodyGoWhereTwoDiscsDoNotFit)
   for (const auto& [gap, margin] : {std::pair(0.0101, 0.01), {0.0099, 0.004}, {0.0021, 0.002}, {0.0011, 0.001}})
   {
     const PathPiece piece = {Mode::ackermann, {1.5, 1.0 + side + gap, 0.0}, 0.0, 2.0};
-    EXPECT_EQ(Certifier(map, robot, discs).certify(stop_and_steer(path_of(piece), robot)).least_clearance(), margin) << gap;
+    EXPECT_EQ(Certifier(map, robot, discs).certify(stop_and_steer(path_of(piece), robot)).least_clearance(), margin)
+        << gap;
   }
   for (double gap : {0.0009, 0.0, -0.01})
   {
     const PathPiece piece = {Mode::ackermann, {1.5, 1.0 + side + gap, 0.0}, 0.0, 2.0};
-    EXPECT_LT(Certifier(map, robot, discs).certify(stop_and_steer(path_of(piece), robot)).least_clearance(), 0.0) << gap;
+    EXPECT_LT(Certifier(map, robot, discs).certify(stop_and_steer(path_of(piece), robot)).least_clearance(), 0.0)
+        << gap;
   }
 }
 

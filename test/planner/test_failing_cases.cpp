@@ -91,8 +91,12 @@ OccupancyGrid city()
   OccupancyGrid grid = free_area(64.0, 64.0, 0.25);
   for (int block_row = 0; block_row < 4; ++block_row)
     for (int block = 0; block < 4; ++block) occupy_block(grid, 16 + 60 * block, 16 + 60 * block_row, 44, 44);
-  for (const auto& [column, row, columns, rows] :
-       {std::tuple(0, 40, 16, 2), {60, 60, 2, 16}, {136, 120, 2, 16}, {180, 150, 16, 2}, {60, 180, 2, 16}, {120, 90, 16, 2}})
+  for (const auto& [column, row, columns, rows] : {std::tuple(0, 40, 16, 2),
+                                                   {60, 60, 2, 16},
+                                                   {136, 120, 2, 16},
+                                                   {180, 150, 16, 2},
+                                                   {60, 180, 2, 16},
+                                                   {120, 90, 16, 2}})
     occupy_block(grid, column, row, columns, rows);
   return grid;
 }
@@ -104,7 +108,7 @@ struct Case
   Pose start, goal;
   std::function<void(Robot&)> change = [](Robot&) {};
   ModeSet modes = {};
-  double latest = INFINITY;                 ///< it has to arrive by then [s]
+  double latest = INFINITY;  ///< it has to arrive by then [s]
   int most_expansions = kFewExpansions;
   int most_fallbacks = 0;
 };
@@ -114,7 +118,8 @@ void PrintTo(const Case& place, std::ostream* out)
   *out << place.name;
 }
 
-PlanResult plan(const OccupancyGrid& grid, const Robot& robot, const Pose& start, const Pose& goal, const ModeSet& modes = {})
+PlanResult plan(const OccupancyGrid& grid, const Robot& robot, const Pose& start, const Pose& goal,
+                const ModeSet& modes = {})
 {
   PlannerOptions options;
   options.planner_patience = 120.0;  // the answer must not depend on how fast the machine is
@@ -197,32 +202,47 @@ const Pose kHere = {4.0, 2.0, 0.0}, kBeside = {4.0, 6.0, 0.0};
 // Wheels that turn less than the search once took for granted.
 INSTANTIATE_TEST_SUITE_P(
     Wheels, OnceFailing,
-    testing::Values(Case{"45 degrees, a turn", empty(), {2.0, 2.0, 0.0}, {4.0, 4.0, M_PI_2}, with_travel(45.0 * kDegree)},
-                    Case{"85 degrees, into a slot", slot_hall(), {3.0, 2.2, 0.0}, {3.0, 0.55, 0.0}, with_travel(85.0 * kDegree)},
-                    Case{"0.8 rad, a maze", maze(), kMazeStart, kMazeGoal, with_travel(0.8)}));
+    testing::Values(
+        Case{"45 degrees, a turn", empty(), {2.0, 2.0, 0.0}, {4.0, 4.0, M_PI_2}, with_travel(45.0 * kDegree)},
+        Case{"85 degrees, into a slot", slot_hall(), {3.0, 2.2, 0.0}, {3.0, 0.55, 0.0}, with_travel(85.0 * kDegree)},
+        Case{"0.8 rad, a maze", maze(), kMazeStart, kMazeGoal, with_travel(0.8)}));
 
 // The speed is limited where the robot turns, not all along.
 INSTANTIATE_TEST_SUITE_P(
     Speeds, OnceFailing,
-    testing::Values(Case{"short wheelbase, sideways", empty(), kHere, kBeside, with_short_wheelbase},
-                    Case{"short wheelbase, sideways in lateral motion", empty(), kHere, kBeside, with_short_wheelbase, {Mode::lateral}, 10.0},
-                    Case{"80 degrees, sideways", empty(), kHere, kBeside, with_80_degrees},
-                    Case{"80 degrees, sideways in parallel motion", empty(), kHere, kBeside, with_80_degrees, {Mode::parallel}, 4.21},
-                    Case{"wider than long, sideways", empty(), kHere, kBeside, wider_than_long},
-                    Case{"slow switches, a maze", maze(), kMazeStart, kMazeGoal, with_slow_switches, {}, INFINITY, 6000}));
+    testing::Values(
+        Case{"short wheelbase, sideways", empty(), kHere, kBeside, with_short_wheelbase},
+        Case{"short wheelbase, sideways in lateral motion",
+             empty(),
+             kHere,
+             kBeside,
+             with_short_wheelbase,
+             {Mode::lateral},
+             10.0},
+        Case{"80 degrees, sideways", empty(), kHere, kBeside, with_80_degrees},
+        Case{"80 degrees, sideways in parallel motion",
+             empty(),
+             kHere,
+             kBeside,
+             with_80_degrees,
+             {Mode::parallel},
+             4.21},
+        Case{"wider than long, sideways", empty(), kHere, kBeside, wider_than_long},
+        Case{"slow switches, a maze", maze(), kMazeStart, kMazeGoal, with_slow_switches, {}, INFINITY, 6000}));
 
 // Where the body stands, and gaps that it fits.
 INSTANTIATE_TEST_SUITE_P(
     Body, OnceFailing,
-    testing::Values(Case{"13 mm from a wall", slot_hall(), {1.5, 1.323, 0.0}, {4.5, 2.5, 0.0}},
-                    Case{"5 mm from a wall", slot_hall(), {1.5, 1.315, 0.0}, {4.5, 2.5, 0.0}},
-                    Case{"1 mm from a wall", slot_hall(), {1.5, 1.311, 0.0}, {4.5, 2.5, 0.0}},
-                    Case{"1 mm in a wall", slot_hall(), {1.5, 1.309, 0.0}, {4.5, 2.5, 0.0}},
-                    Case{"a gap of 67 cm", gap_hall(67), {1.2, 2.005, 0.0}, {4.8, 2.005, 0.0}},
-                    Case{"a gap of 68 cm, from aside", gap_hall(68), {1.2, 1.2, 0.7}, {4.8, 2.0, 0.0}},
-                    Case{"a gap of 63 cm, no margin", gap_hall(63), {1.2, 2.005, 0.0}, {4.8, 2.005, 0.0}, without_margin},
-                    Case{"a gap of 64 cm, no margin, from aside", gap_hall(64), {1.2, 1.2, 0.7}, {4.8, 2.0, 0.0}, without_margin},
-                    Case{"rooms", rooms(), {1.0, 1.0, 0.0}, {1.0, 5.0, M_PI}}));
+    testing::Values(
+        Case{"13 mm from a wall", slot_hall(), {1.5, 1.323, 0.0}, {4.5, 2.5, 0.0}},
+        Case{"5 mm from a wall", slot_hall(), {1.5, 1.315, 0.0}, {4.5, 2.5, 0.0}},
+        Case{"1 mm from a wall", slot_hall(), {1.5, 1.311, 0.0}, {4.5, 2.5, 0.0}},
+        Case{"1 mm in a wall", slot_hall(), {1.5, 1.309, 0.0}, {4.5, 2.5, 0.0}},
+        Case{"a gap of 67 cm", gap_hall(67), {1.2, 2.005, 0.0}, {4.8, 2.005, 0.0}},
+        Case{"a gap of 68 cm, from aside", gap_hall(68), {1.2, 1.2, 0.7}, {4.8, 2.0, 0.0}},
+        Case{"a gap of 63 cm, no margin", gap_hall(63), {1.2, 2.005, 0.0}, {4.8, 2.005, 0.0}, without_margin},
+        Case{"a gap of 64 cm, no margin, from aside", gap_hall(64), {1.2, 1.2, 0.7}, {4.8, 2.0, 0.0}, without_margin},
+        Case{"rooms", rooms(), {1.0, 1.0, 0.0}, {1.0, 5.0, M_PI}}));
 
 const ModeSet kAckermann = {Mode::ackermann};
 
@@ -233,7 +253,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"a car along the kerb, all modes", kerb(), {5.0, 4.0, 0.0}, {11.0, 1.3, 0.0}, as_a_car},
                     Case{"a car into a bay", bays(), {5.0, 8.5, 0.0}, {11.95, 2.9, M_PI_2}, as_a_car, kAckermann},
                     Case{"a car into a bay, all modes", bays(), {5.0, 8.5, 0.0}, {11.95, 2.9, M_PI_2}, as_a_car},
-                    Case{"a car in a car park", car_park(), {4.0, 3.0, 0.0}, {12.6, 9.0, -M_PI_2}, as_a_car, kAckermann},
+                    Case{
+                        "a car in a car park", car_park(), {4.0, 3.0, 0.0}, {12.6, 9.0, -M_PI_2}, as_a_car, kAckermann},
                     Case{"a car in a car park, all modes", car_park(), {4.0, 3.0, 0.0}, {12.6, 9.0, -M_PI_2}, as_a_car},
                     Case{"a city", city(), {2.0, 2.0, M_PI_2}, {62.0, 62.0, 0.0}}));
 
@@ -241,7 +262,8 @@ TEST(OnceSlower, MoreSteeringIsNotSlowerThanLess)
 {
   Robot steep;
   with_80_degrees(steep);
-  const PlanResult usual = plan(maze(), {}, kMazeStart, kMazeGoal), with_more = plan(maze(), steep, kMazeStart, kMazeGoal);
+  const PlanResult usual = plan(maze(), {}, kMazeStart, kMazeGoal),
+                   with_more = plan(maze(), steep, kMazeStart, kMazeGoal);
   ASSERT_EQ(usual.status, PlanStatus::succeeded) << usual.message;
   ASSERT_EQ(with_more.status, PlanStatus::succeeded) << with_more.message;
   EXPECT_LE(with_more.metrics.arrival_time, 1.01 * usual.metrics.arrival_time);
@@ -258,9 +280,10 @@ TEST(OnceSlower, AFasterRobotArrivesEarlier)
     ASSERT_EQ(result.status, PlanStatus::succeeded) << speed << ": " << result.message;
     EXPECT_LT(result.metrics.arrival_time, before) << speed << " m/s";
     before = result.metrics.arrival_time;
-    const double fastest = std::max_element(result.trajectory.begin(), result.trajectory.end(), [](const auto& a, const auto& b) {
-                             return std::abs(a.v) < std::abs(b.v);
-                           })->v;
+    const double fastest =
+        std::max_element(result.trajectory.begin(), result.trajectory.end(), [](const auto& a, const auto& b) {
+          return std::abs(a.v) < std::abs(b.v);
+        })->v;
     EXPECT_GT(std::abs(fastest), 0.9 * speed);
   }
 }

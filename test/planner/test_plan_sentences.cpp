@@ -109,7 +109,8 @@ TEST_F(Sentences, AnOverlapHasItsDepth)
   }
   const PlanResult start = plan(grid, {4.0, 1.0 + robot.width / 2.0 - 0.04, 0.0}, there);
   EXPECT_EQ(start.status, PlanStatus::start_in_collision);
-  EXPECT_TRUE(says(start.message, "the start (4.000, 1.270, 0.000) is in collision: the body overlaps an obstacle by 0.040 m; "));
+  EXPECT_TRUE(says(start.message,
+                   "the start (4.000, 1.270, 0.000) is in collision: the body overlaps an obstacle by 0.040 m; "));
 }
 
 TEST_F(Sentences, ARoomThatIsTooSmallForTheBody)
@@ -126,9 +127,10 @@ TEST_F(Sentences, AWayThatIsTooNarrowForTheBodyWithItsMargin)
   {
     const PlanResult result = plan(gap_hall(gap), {1.2, 2.0, 0.0}, {4.8, 2.0, 0.0});
     EXPECT_EQ(result.status, PlanStatus::goal_unreachable) << gap << " cm: " << result.message;
-    EXPECT_TRUE(says(result.message,
-                     "the robot cannot get from (1.20, 2.00, 0.00) to (4.80, 2.00, 0.00): no way is wide enough for a body of "
-                     "1.00 x 0.62 m with a margin of 0.020 m on each side"));
+    EXPECT_TRUE(
+        says(result.message,
+             "the robot cannot get from (1.20, 2.00, 0.00) to (4.80, 2.00, 0.00): no way is wide enough for a body of "
+             "1.00 x 0.62 m with a margin of 0.020 m on each side"));
   }
 }
 
@@ -166,7 +168,8 @@ TEST_F(Sentences, APlanThatTheDeadlineCutShortSaysSo)
     const PlanResult result =
         Planner(options).plan(world, {{0.8, 0.8, 0.0}, {11.0, 11.2, M_PI_2}, {}}, Interrupt().or_after(patience));
     if (result.status != PlanStatus::succeeded) continue;
-    EXPECT_EQ(static_cast<bool>(says(result.message, "planner_patience was over before it was optimised")), result.degraded);
+    EXPECT_EQ(static_cast<bool>(says(result.message, "planner_patience was over before it was optimised")),
+              result.degraded);
   }
 }
 
@@ -179,7 +182,8 @@ TEST(Remarks, SayWhatIsNotAsItShouldBe)
   result.fallback_parts = 3;
   result.degraded = true;
   EXPECT_EQ(remarks(result, "no corridor"),
-            "; 3 of its parts stop wherever the steering changes (no corridor); planner_patience was over before it was optimised");
+            "; 3 of its parts stop wherever the steering changes (no corridor); planner_patience was over before it "
+            "was optimised");
 }
 
 }  // namespace

@@ -92,8 +92,7 @@ TEST_F(StopAndSteer, BeginsAtTheStartAndEndsAtTheGoalAtRest)
 
 TEST_F(StopAndSteer, TakesTimeForEveryStep)
 {
-  for_steps(
-      [](const Robot&, const TrajectoryPoint& from, const TrajectoryPoint& to) { ASSERT_GT(to.t, from.t); });
+  for_steps([](const Robot&, const TrajectoryPoint& from, const TrajectoryPoint& to) { ASSERT_GT(to.t, from.t); });
 }
 
 TEST_F(StopAndSteer, KeepsTheLimitsOfSpeedAndAcceleration)

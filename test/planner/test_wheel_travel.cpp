@@ -64,7 +64,8 @@ TEST(WheelTravel, OfRandomRobotsNeverMakesAPlanThatIsRefused)
       ASSERT_TRUE(limits.possible().contains(point.mode)) << to_string(point.mode);
       ASSERT_LE(std::abs(point.phi), limits[point.mode].phi + 1e-6) << to_string(point.mode);
     }
-    const Verdict verdict = Referee(world.grid, options.obstacles, robot, options.referee).judge(request.start, request.goal, result.trajectory);
+    const Verdict verdict = Referee(world.grid, options.obstacles, robot, options.referee)
+                                .judge(request.start, request.goal, result.trajectory);
     ASSERT_TRUE(verdict.accepted()) << verdict.violations.front().what;
   }
   EXPECT_GT(solved, 20);

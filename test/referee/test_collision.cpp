@@ -239,7 +239,8 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
     const Script script = random_drive(random, compose(grid.origin, {3.5, 3.5, random.between(-3.0, 3.0)}));
     double expected = INFINITY;
     const std::vector<Quad> cells = obstacles(grid, {});
-    for (const Pose& pose : driven_poses({}, script.points())) expected = std::min(expected, brute_clearance(grid, cells, pose));
+    for (const Pose& pose : driven_poses({}, script.points()))
+      expected = std::min(expected, brute_clearance(grid, cells, pose));
     if (std::abs(expected) < 0.001) continue;
     const Verdict verdict = strict(grid, {}, {}).judge(script.start(), script.end(), script.points());
     ASSERT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected << "\n" << sentences(verdict);

@@ -1,4 +1,4 @@
-#include "fourwis_navigation/search/goal_distance.h"
+#include "search/goal_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -169,7 +169,8 @@ TEST(GoalDistance, IsNoLongerThanAnyPathFound)
     SearchOptions options;
     options.max_expansions = 1000;
     const auto straight = [&](const Pose& pose) { return distance(pose, request.goal); };
-    const Path path = hybrid_astar({site.checker, request.start, request.goal}, options, request.modes, {straight}).path;
+    const Path path =
+        hybrid_astar({site.checker, request.start, request.goal}, options, request.modes, {straight}).path;
     if (path.pieces.empty()) continue;
     ++found;
     ASSERT_TRUE(field.reaches_start());

@@ -10,9 +10,9 @@ namespace
 {
 
 constexpr unsigned kSeed = 10;
-constexpr double kSpacing = 0.025;       ///< of the lattice [m]
+constexpr double kSpacing = 0.025;        ///< of the lattice [m]
 constexpr double kCell = 2.0 * kSpacing;  ///< [m]
-constexpr double kSlack = 4.0;  ///< [m]
+constexpr double kSlack = 4.0;            ///< [m]
 
 TEST(HolonomicDistance, IsNothingAtTheGoalAndAboutTheStraightLineInTheOpen)
 {

@@ -113,7 +113,8 @@ TEST(PoseBoxes, AMotionFoundFreeLeadsThroughNoBlockedBox)
     for (int k = 0; k < 150; ++k)
     {
       const Mode mode = random.mode();
-      const PathPiece piece = {mode, free_pose(random, checker), random.steering(site.robot, mode), random.between(-2.0, 2.0)};
+      const PathPiece piece = {mode, free_pose(random, checker), random.steering(site.robot, mode),
+                               random.between(-2.0, 2.0)};
       const Arc arc(site.robot, piece.start, mode, piece.phi);
       const double length = checker.free_length(piece);
       for (double s = 0.0; s < length; s += 0.004)
@@ -162,7 +163,8 @@ TEST(PoseBoxes, HaveAllBoxesForNeighboursThatTouchTheirSides)
       const double half = boxes.width(box) / 2.0, half_turn = M_PI / (16 << box.level);
       for (int axis = 0; axis < 3; ++axis)
       {
-        Pose over = {centre.x + random.unit() * half, centre.y + random.unit() * half, centre.theta + random.unit() * half_turn};
+        Pose over = {centre.x + random.unit() * half, centre.y + random.unit() * half,
+                     centre.theta + random.unit() * half_turn};
         double Pose::*part = axis == 0 ? &Pose::x : axis == 1 ? &Pose::y : &Pose::theta;
         over.*part = centre.*part + (random.chance(0.5) ? 1.0 : -1.0) * ((axis == 2 ? half_turn : half) + 1e-7);
         const double side = site.grid.width * site.grid.resolution;

@@ -46,7 +46,8 @@ std::vector<CollisionChecker> both_checkers(const Site& site, const PlanRequest&
 {
   const bool has_poses = !(request.start.x == request.goal.x && request.start.y == request.goal.y);
   return {site.checker,
-          CollisionChecker(site.map, site.robot, has_poses ? std::vector<Pose>{request.start, request.goal} : std::vector<Pose>())};
+          CollisionChecker(site.map, site.robot,
+                           has_poses ? std::vector<Pose>{request.start, request.goal} : std::vector<Pose>())};
 }
 
 /// The grid in which every cell is occupied that leaves the robot room to drive the path.
@@ -57,7 +58,8 @@ OccupancyGrid tunnel_around(const Path& path, const Site& site, const CollisionC
   const double keep = checker.goes_by_body() ? 0.0 : checker.discs().radius + 1e-3;
   const ConvexPolygon body = grown(body_of(site.robot), std::max(site.robot.safety_margin, 0.0005) + 1e-3);
   const auto need = [&](const CellIndex& cell) {
-    needed[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(cell.column)] = true;
+    needed[static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(grid.width) +
+           static_cast<std::size_t>(cell.column)] = true;
   };
   const auto need_disc = [&](const Pose& centre) {
     const ConvexPolygon square = {{keep, keep}, {-keep, keep}, {-keep, -keep}, {keep, -keep}};
@@ -79,7 +81,8 @@ OccupancyGrid tunnel_around(const Path& path, const Site& site, const CollisionC
       if (checker.goes_by_body())
         for (const CellIndex& cell : overlapped_cells(site.map, body, pose)) need(cell);
       else
-        for (double offset : {checker.discs().offset, -checker.discs().offset}) need_disc(compose(pose, {offset, 0.0, 0.0}));
+        for (double offset : {checker.discs().offset, -checker.discs().offset})
+          need_disc(compose(pose, {offset, 0.0, 0.0}));
     }
   }
   for (std::size_t i = 0; i < grid.data.size(); ++i)

@@ -4,8 +4,8 @@
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
-#include "fourwis_navigation/search/goal_distance.h"
 #include "fourwis_navigation/search/hybrid_astar.h"
+#include "search/goal_distance.h"
 
 namespace fourwis
 {

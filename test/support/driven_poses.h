@@ -21,7 +21,9 @@ inline std::vector<Pose> driven_poses(const Robot& robot, const Trajectory& poin
     if (i + 1 == points.size() || points[i].mode != points[i + 1].mode) continue;
     const TrajectoryPoint &from = points[i], &to = points[i + 1];
     const double base = from.mode == Mode::lateral ? robot.track_width : robot.wheelbase;
-    const auto turn_at = [&](double v, double phi) { return from.mode == Mode::parallel ? 0.0 : 2.0 * v * std::tan(phi) / base; };
+    const auto turn_at = [&](double v, double phi) {
+      return from.mode == Mode::parallel ? 0.0 : 2.0 * v * std::tan(phi) / base;
+    };
     const double fastest = std::max(std::abs(from.v), std::abs(to.v));
     const double steepest = std::max(std::abs(from.phi), std::abs(to.phi));
     const double length = (to.t - from.t) * (fastest + reach * std::abs(turn_at(fastest, steepest)));

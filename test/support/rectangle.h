@@ -55,7 +55,8 @@ public:
     const double reach_x = half_length_ * c + half_width_ * s, reach_y = half_length_ * s + half_width_ * c;
     const double right = grid_.width * grid_.resolution - body.x, top = grid_.height * grid_.resolution - body.y;
     // Moved inward by d, the rectangle reaches d (c + s) less along each axis of the grid.
-    double deepest = std::max({0.0, (reach_x - std::min(body.x, right)) / (c + s), (reach_y - std::min(body.y, top)) / (c + s)});
+    double deepest =
+        std::max({0.0, (reach_x - std::min(body.x, right)) / (c + s), (reach_y - std::min(body.y, top)) / (c + s)});
     const double half = grid_.resolution / 2.0, half_diagonal = half * (c + s);
     for (const std::array<double, 2>& centre : obstacles_)
     {
@@ -63,8 +64,9 @@ public:
       const double along = std::abs(std::cos(body.theta) * dx + std::sin(body.theta) * dy);
       const double across = std::abs(std::cos(body.theta) * dy - std::sin(body.theta) * dx);
       // The first axis that separates the two.
-      deepest = std::max(deepest, std::min({half_length_ + half_diagonal - along, half_width_ + half_diagonal - across,
-                                            (reach_x + half - std::abs(dx)) / (c + s), (reach_y + half - std::abs(dy)) / (c + s)}));
+      deepest = std::max(
+          deepest, std::min({half_length_ + half_diagonal - along, half_width_ + half_diagonal - across,
+                             (reach_x + half - std::abs(dx)) / (c + s), (reach_y + half - std::abs(dy)) / (c + s)}));
     }
     return deepest;
   }

@@ -53,7 +53,7 @@ public:
   struct TightSpot
   {
     double x, y;
-    double margin;             ///< it keeps there [m]
+    double margin;              ///< it keeps there [m]
     ConvexPolygon with_margin;  ///< the body, grown by that
 
     bool is_near(double px, double py) const { return std::hypot(px - x, py - y) < kRadius; }

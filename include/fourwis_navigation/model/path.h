@@ -24,9 +24,9 @@ struct PathPiece
 struct Path
 {
   std::vector<PathPiece> pieces;
-  Pose goal;          ///< where the last piece ends
+  Pose goal;                         ///< where the last piece ends
   bool begins_with_way_out = false;  ///< the first piece is driven as it is, to its end at rest
-  double cost = 0.0;  ///< accumulated cost g of the search, in metres of travel
+  double cost = 0.0;                 ///< accumulated cost g of the search, in metres of travel
 
   double length() const
   {

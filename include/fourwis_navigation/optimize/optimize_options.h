@@ -40,8 +40,8 @@ struct OptimizeOptions
   int corridor_discs = 2;          ///< discs that cover the body, each with a region of its own
   int polish_discs = 4;            ///< the same in the last, finer round
   std::optional<double> corridor_range;  ///< a corridor's polytopes reach this far beyond the reference [m]
-  int outer_iterations = 2;        ///< rounds of corridor and optimisation, the last to full accuracy
-  int repairs = 3;                 ///< further rounds with smaller regions where the certificate fails
+  int outer_iterations = 2;              ///< rounds of corridor and optimisation, the last to full accuracy
+  int repairs = 3;                       ///< further rounds with smaller regions where the certificate fails
 
   // What is not set is in proportion to the size of the robot.
   double knot_spacing(const Robot& robot) const { return spacing.value_or(0.2 * robot.motion_size()); }

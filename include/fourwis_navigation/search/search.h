@@ -15,7 +15,7 @@ enum class Effort
 {
   quick,      ///< a coarse search of a few thousand expansions
   both_ways,  ///< another one from the goal to the start where that finds nothing
-  thorough  ///< a finer one, guided by the headings at which the body fits, after a proof of unreachability was tried
+  thorough    ///< a finer one, guided by the headings at which the body fits, after a proof of unreachability was tried
 };
 
 class DirectedSearch;

@@ -13,7 +13,7 @@ struct SearchOptions
 {
   std::optional<double> reference_speed;  ///< v_ref [m/s]; costs in metres are times at this speed
   std::optional<double> step_time;        ///< dt; a primitive is v_ref dt long [s]
-  double reverse_penalty = 2.0;  ///< C_rev, per primitive driven backward [m]
+  double reverse_penalty = 2.0;           ///< C_rev, per primitive driven backward [m]
   double lateral_reverse_penalty =
       0.0;                        ///< the same for lateral motion to the right; the paper's literal cost has 2 [m]
   double steering_penalty = 1.0;  ///< C_steer, per primitive and radian of steering angle [m/rad]

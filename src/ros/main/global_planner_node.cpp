@@ -9,7 +9,7 @@ int main(int argc, char** argv)
   return fourwis::node_main([] {
     const auto parameters = fourwis::global_planner_parameters_from(fourwis::read_parameters(ros::NodeHandle("~")));
     fourwis::warn(parameters.defaults);
-    for (const std::string& limitation : fourwis::limitations(parameters.robot)) fourwis::warn(limitation);
+    fourwis::warn(fourwis::limitations(parameters.robot));
     const fourwis::GlobalPlanner planner(parameters);
     ros::spin();
   });
