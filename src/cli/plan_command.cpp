@@ -103,6 +103,7 @@ Answer plan_repeatedly(const Problem& problem, int repeat, bool traced)
                                     &PlanMetrics::backend_ms, &PlanMetrics::verify_ms})
   {
     std::vector<double> times;
+    times.reserve(runs.size());
     for (const PlanMetrics& run : runs) times.push_back(run.*time);
     result.metrics.*time = median(times);
   }

@@ -34,6 +34,7 @@ double clearance(const ObstacleRectangles& obstacles, const Pose& waypoint, doub
 std::vector<Pose> places(const std::vector<Pose>& knots, double offset)
 {
   std::vector<Pose> centres;
+  centres.reserve(knots.size());
   for (const Pose& knot : knots) centres.push_back(compose(knot, {offset, 0.0, 0.0}));
   return centres;
 }

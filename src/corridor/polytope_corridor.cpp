@@ -16,8 +16,7 @@ namespace
 /// What is wrong with the arguments; empty if they are valid.
 std::string complaint(const std::vector<Pose>& knots, const std::vector<double>& shrink)
 {
-  const std::string wrong = complaint(knots);
-  if (!wrong.empty()) return wrong;
+  if (std::string wrong = complaint(knots); !wrong.empty()) return wrong;
   if (!shrink.empty() && shrink.size() != knots.size() - 1)
     return sentence("shrink has %zu values for %zu intervals", shrink.size(), knots.size() - 1);
   for (std::size_t i = 0; i < shrink.size(); ++i)

@@ -1,5 +1,7 @@
 #include "communication.h"
 
+#include <cmath>
+
 #include "errors.h"
 #include "sdo_server.h"
 
@@ -111,7 +113,7 @@ CommunicationEvent Communication::watch(double now)
 void Communication::lose_master(double now)
 {
   can::Frame emergency = record_error(dictionary_, node_, kHeartbeatLost);
-  put_bytes(emergency, 3, 2, static_cast<std::uint32_t>(consumer_.silence(now) * 1e3 + 0.5));
+  put_bytes(emergency, 3, 2, static_cast<std::uint32_t>(std::lround(consumer_.silence(now) * 1e3)));
   send_emergency(emergency);
   const auto behaviour = dictionary_.get(object::kErrorBehaviour, 1);
   if (behaviour == kToStopped) enter(NmtState::stopped);

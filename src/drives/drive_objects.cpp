@@ -52,8 +52,12 @@ void add_node(ObjectDictionary& objects, const DriveOptions& options)
   objects.add({object::kHeartbeatConsumer, 1}, setting(4, 0, 0, 0x007FFFFF));
   objects.add({object::kHeartbeatProducer, 0}, setting(2, 0, 0, 0xFFFF));
   const std::array<std::uint32_t, 5> identity = {4, options.vendor, options.product, 1, options.serial};
-  for (std::uint8_t k = 0; k < identity.size(); ++k)
-    objects.add({object::kIdentity, k}, constant(k == 0 ? 1 : 4, identity[k]));
+  std::uint8_t sub = 0;
+  for (std::uint32_t value : identity)
+  {
+    objects.add({object::kIdentity, sub}, constant(sub == 0 ? 1 : 4, value));
+    ++sub;
+  }
   objects.add({object::kErrorBehaviour, 0}, constant(1, 1));
   objects.add({object::kErrorBehaviour, 1}, setting(1, 0, 0, 2));
 }

@@ -59,9 +59,9 @@ AbortCode count_refusal(const ObjectDictionary& dictionary, std::uint16_t mappin
                         ObjectUse direction)
 {
   std::uint32_t bits = 0;
-  for (std::uint8_t k = 1; k <= count; ++k)
+  for (std::int64_t k = 1; k <= count; ++k)
   {
-    const auto entry = static_cast<std::uint32_t>(dictionary.get(mapping, k));
+    const auto entry = static_cast<std::uint32_t>(dictionary.get(mapping, static_cast<std::uint8_t>(k)));
     const AbortCode refusal = entry_refusal(dictionary, entry, direction);
     if (refusal != AbortCode::none) return refusal;
     bits += entry & 0xFF;

@@ -67,17 +67,16 @@ void PositionProfile::follow(Setpoint& setpoint, double low, double high, double
   const double wanted = std::copysign(std::min(fastest, braking_speed(std::abs(left), deceleration, dt)), left);
   const bool faster = std::abs(wanted) > std::abs(setpoint.velocity) && wanted * setpoint.velocity >= 0.0;
   setpoint.velocity = approach(setpoint.velocity, wanted, (faster ? acceleration : deceleration) * dt);
-  if (std::abs(left) > std::max(0.5, std::abs(setpoint.velocity) * dt))
-    setpoint.position += setpoint.velocity * dt;
-  else if (std::abs(setpoint.velocity) <= 2.0 * deceleration * dt)
+  const bool near = std::abs(left) <= std::max(0.5, std::abs(setpoint.velocity) * dt);
+  if (!near || std::abs(setpoint.velocity) > 2.0 * deceleration * dt)
   {
-    setpoint = {target, 0.0};
-    reached_ = true;
-    if (next_) take(*std::exchange(next_, std::nullopt));
-    if (!handed_over_) acknowledge_ = false;
-  }
-  else
     setpoint.position += setpoint.velocity * dt;
+    return;
+  }
+  setpoint = {target, 0.0};
+  reached_ = true;
+  if (next_) take(*std::exchange(next_, std::nullopt));
+  if (!handed_over_) acknowledge_ = false;
 }
 
 }  // namespace fourwis::drives

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -51,8 +52,8 @@ public:
 private:
   static std::vector<int> indices(int first)
   {
-    std::vector<int> result;
-    for (int i = 0; i < NZ + NX; ++i) result.push_back(first + i);
+    std::vector<int> result(NZ + NX);
+    std::iota(result.begin(), result.end(), first);
     return result;
   }
   static typename Model::State state(const Eigen::VectorXd& x) { return x.template head<NX>(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "ocp_elements.h"
@@ -61,8 +62,8 @@ private:
   /// The first `count` components of (x_k, u_k), as far as there are as many.
   std::vector<int> leading(std::size_t k, int count) const
   {
-    std::vector<int> result;
-    for (int i = 0; i < (k < intervals_ ? count : std::min(count, NX)); ++i) result.push_back(first_variable(k) + i);
+    std::vector<int> result(static_cast<std::size_t>(k < intervals_ ? count : std::min(count, NX)));
+    std::iota(result.begin(), result.end(), first_variable(k));
     return result;
   }
 
@@ -81,6 +82,7 @@ private:
   void add_rows(const Model& model, std::size_t k, const std::vector<ocp::RowLimit>& limits)
   {
     std::vector<int> excess;
+    excess.reserve(limits.size());
     for (const ocp::RowLimit& limit : limits)
       excess.push_back(std::isfinite(limit.weight) ? nlp_.add_variable(0.0, ocp::kInfinity, kExcess) : -1);
     nlp_.elements.push_back(

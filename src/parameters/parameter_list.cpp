@@ -22,6 +22,7 @@ std::string join(const std::vector<std::string>& words)
 std::vector<std::string> keys_of(const std::vector<Parameter>& parameters)
 {
   std::vector<std::string> keys;
+  keys.reserve(parameters.size());
   for (const Parameter& parameter : parameters) keys.push_back(parameter.key);
   return keys;
 }

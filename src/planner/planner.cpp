@@ -141,6 +141,7 @@ void choose(const Task& task, const std::vector<Candidate>& candidates, std::vec
   const PlanContext& context = task.context;
   const std::vector<std::size_t> order = fastest_first(refined);
   std::vector<Trajectory> trajectories;
+  trajectories.reserve(order.size() + 1);
   for (std::size_t i : order) trajectories.push_back(std::move(refined[i].trajectory));
   trajectories.push_back(stop_and_steer(candidates.front().path, context.robot()));
   const std::size_t chosen = judge(context.world, task.request, std::move(trajectories), result);

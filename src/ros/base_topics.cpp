@@ -2,6 +2,7 @@
 
 #include "drive_conversions.h"
 #include "fourwis_navigation/WheelStates.h"
+#include "fourwis_navigation/model/sentence.h"
 
 namespace fourwis
 {
@@ -45,8 +46,8 @@ BaseTopics::BaseTopics(const Robot& robot, const BaseFrames& frames) : frames_(f
   wheel_states_ = node.advertise<fourwis_navigation::WheelStates>("wheel_states", 10);
   odom_ = node.advertise<nav_msgs::Odometry>("odom", 10);
   joint_states_ = node.advertise<sensor_msgs::JointState>("joint_states", 10);
-  for (const std::string kind : {"steering", "wheel"})
-    for (const std::string name : kWheelNames) joints_.name.push_back(name + '_' + kind + "_joint");
+  for (const char* kind : {"steering", "wheel"})
+    for (const char* name : kWheelNames) joints_.name.push_back(joined(name, '_', kind, "_joint"));
   joints_.position.assign(joints_.name.size(), 0.0);
 }
 

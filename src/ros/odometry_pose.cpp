@@ -37,7 +37,7 @@ geometry_msgs::TransformStamped OdometryPose::lookup(const std::string& odom_fra
   {
     if (tf_.canTransform(global_frame_, odom_frame, stamp))
       return tf_.lookupTransform(global_frame_, odom_frame, stamp);
-    const geometry_msgs::TransformStamped newest = tf_.lookupTransform(global_frame_, odom_frame, ros::Time(0));
+    geometry_msgs::TransformStamped newest = tf_.lookupTransform(global_frame_, odom_frame, ros::Time(0));
     const double age = seconds_between(newest.header.stamp, stamp);
     if (std::abs(age) <= transform_tolerance_) return newest;
     reject<ConversionError>("tf: the transform from '", odom_frame, "' to '", global_frame_, "' is ", age,

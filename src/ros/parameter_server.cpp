@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "fourwis_navigation/model/sentence.h"
+
 namespace fourwis
 {
 namespace
@@ -18,7 +20,7 @@ void flatten(const std::string& key, const XmlRpcValue& value, ParameterMap& par
     case XmlRpcValue::TypeDouble: parameters[key] = static_cast<const double&>(value); return;
     case XmlRpcValue::TypeString: parameters[key] = static_cast<const std::string&>(value); return;
     case XmlRpcValue::TypeStruct:
-      for (const auto& [name, member] : value) flatten(key.empty() ? name : key + '/' + name, member, parameters);
+      for (const auto& [name, member] : value) flatten(key.empty() ? name : joined(key, '/', name), member, parameters);
       return;
     default:
       throw ConfigError("parameter '" + key + "' is " + value.toXml() + ", expected a number, true, false or a text");

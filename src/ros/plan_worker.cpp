@@ -20,7 +20,7 @@ PlanWorker::~PlanWorker()
 
 PlanWorker::Ticket PlanWorker::submit(Task task)
 {
-  const auto ticket = std::make_shared<std::atomic<bool>>(false);
+  auto ticket = std::make_shared<std::atomic<bool>>(false);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     cancel_locked();

@@ -72,7 +72,8 @@ int CoarseCells::index(double x, double y) const
 
 Pose CoarseCells::centre(int index) const
 {
-  return compose(map_.origin(), {(index % width_ + 0.5) * size_, (index / width_ + 0.5) * size_, 0.0});
+  const int column = index % width_, row = index / width_;
+  return compose(map_.origin(), {(column + 0.5) * size_, (row + 0.5) * size_, 0.0});
 }
 
 bool GoalDistance::is_passable(const CollisionChecker& checker, int cell) const

@@ -45,7 +45,7 @@ private:
   };
   ModeMotion expected(double t) const;
 
-  static constexpr std::size_t kMemory = 2 * (kSteps + 4);  ///< two knots for each, some for what is ahead
+  static constexpr std::size_t kMemory = std::size_t{2} * (kSteps + 4);  ///< two knots for each, some for what is ahead
 
   Robot robot_;
   double drive_lag_, steering_lag_;

@@ -32,8 +32,7 @@ std::string Tracker::accept(const Trajectory& trajectory)
     stop();
     return {};
   }
-  const std::string complaint = check_trajectory(self.robot, trajectory);
-  if (!complaint.empty()) return complaint;
+  if (std::string complaint = check_trajectory(self.robot, trajectory); !complaint.empty()) return complaint;
   Mission mission = mission_of(self.robot, trajectory);
   self.sequencer.take(mission);
   return {};

@@ -76,9 +76,8 @@ WheelTwist::AxisVelocities WheelTwist::axis_velocities(const WheelMotion& wheels
 
 TwistEstimate WheelTwist::robust(const AxisVelocities& measured) const
 {
-  const TwistEstimate all = solve(measured, kNone);
-  if (all.residual <= options_.greatest_slip) return all;
-  TwistEstimate best = all;
+  TwistEstimate best = solve(measured, kNone);
+  if (best.residual <= options_.greatest_slip) return best;
   for (int i = 0; i < kWheels; ++i)
   {
     const TwistEstimate three = solve(measured, i);

@@ -18,8 +18,8 @@ struct HeightBand
   template <class Self, class Row>
   static void describe(Self& o, Row& row)
   {
-    row("min_height", o.min, -1e300, 1e300, "m");
-    row("max_height", o.max, -1e300, 1e300, "m");
+    row("min_height", o.min, -1e6, 1e6, "m");
+    row("max_height", o.max, -1e6, 1e6, "m");
   }
 };
 

@@ -90,7 +90,8 @@ std::string text_of(const FaultRecord& record)
 
 void FaultLog::report(Fault fault, int axis, std::uint32_t detail, double now, std::uint32_t object)
 {
-  auto reported = reported_.at(static_cast<std::size_t>(axis + 1))[static_cast<std::size_t>(fault)];
+  const int row = axis + 1;  // the first is that of the whole base
+  auto reported = reported_.at(static_cast<std::size_t>(row))[static_cast<std::size_t>(fault)];
   if (reported && reaction(fault) != Reaction::restart) return;
   reported = true;
 
