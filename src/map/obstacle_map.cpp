@@ -13,6 +13,8 @@ namespace fourwis
 namespace
 {
 
+/// Of grids that mean something: side of a cell [m], and coordinates of the origin, of which millimetres are left [m, rad].
+constexpr double kLeastResolution = 1e-4, kMostResolution = 1e3, kFarthestOrigin = 1e12;
 /// Bounds of the clearance closer than this many cell diagonals are replaced by its exact value.
 constexpr double kExactWithin = 1.0;
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
@@ -131,7 +133,14 @@ void check_grid(const OccupancyGrid& grid)
                                   " cells, expected width x height = ", cells);
   if (!std::isfinite(grid.resolution) || grid.resolution <= 0.0)
     reject<std::invalid_argument>("occupancy grid: resolution is ", grid.resolution, " m, expected a positive number");
+  if (grid.resolution < kLeastResolution || grid.resolution > kMostResolution)
+    reject<std::invalid_argument>("occupancy grid: resolution is ", grid.resolution, " m, expected ", kLeastResolution,
+                                  " to ", kMostResolution, " m");
   if (!is_finite(grid.origin)) reject<std::invalid_argument>("occupancy grid: origin is not finite");
+  for (double coordinate : {grid.origin.x, grid.origin.y, grid.origin.theta})
+    if (std::abs(coordinate) > kFarthestOrigin)
+      reject<std::invalid_argument>("occupancy grid: origin is (", grid.origin.x, ", ", grid.origin.y, ", ",
+                                    grid.origin.theta, "), expected numbers within +-", kFarthestOrigin);
 }
 
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, const ObstacleRule& rule)

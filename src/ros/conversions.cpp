@@ -78,12 +78,26 @@ Pose to_pose(const geometry_msgs::Transform& message, const std::string& name, d
   return to_pose(pose, name, max_tilt);
 }
 
+namespace
+{
+
+/// Older tools, octomap_server among them, leave the orientation of the origin at zero and mean none.
+Pose map_origin(const nav_msgs::OccupancyGrid& message)
+{
+  geometry_msgs::Pose origin = message.info.origin;
+  geometry_msgs::Quaternion& q = origin.orientation;
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) q.w = 1.0;
+  return to_pose(origin, "map: origin");
+}
+
+}  // namespace
+
 void check_map(const nav_msgs::OccupancyGrid& message)
 {
   check_size(message);
   if (!std::isfinite(message.info.resolution) || message.info.resolution <= 0.0f)
     reject<ConversionError>("map: resolution is ", message.info.resolution, " m, expected a positive number");
-  to_pose(message.info.origin, "map: origin");
+  map_origin(message);
 }
 
 OccupancyGrid to_grid(const nav_msgs::OccupancyGrid& message)
@@ -93,7 +107,7 @@ OccupancyGrid to_grid(const nav_msgs::OccupancyGrid& message)
   grid.width = static_cast<int>(message.info.width);
   grid.height = static_cast<int>(message.info.height);
   grid.resolution = message.info.resolution;
-  grid.origin = to_pose(message.info.origin, "map: origin");
+  grid.origin = map_origin(message);
   grid.data.assign(message.data.begin(), message.data.end());
   return grid;
 }

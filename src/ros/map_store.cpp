@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "conversions.h"
+#include "frame_name.h"
 
 namespace fourwis
 {
@@ -142,7 +143,7 @@ bool MapStore::apply(const map_msgs::OccupancyGridUpdate& update, OccupancyGrid&
 
 void MapStore::check_frame(const std::string& name, const std::string& frame) const
 {
-  if (frame != global_frame_)
+  if (without_slash(frame) != global_frame_)
     throw ConversionError(name + ": header.frame_id is '" + frame + "', expected the global_frame '" + global_frame_ +
                           "'");
 }

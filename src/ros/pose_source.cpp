@@ -5,18 +5,13 @@
 
 #include "conversions.h"
 #include "fourwis_navigation/model/sentence.h"
+#include "frame_name.h"
 #include "stamps.h"
 
 namespace fourwis
 {
 namespace
 {
-
-/// tf2 knows frames without the leading slash that older tools still write.
-std::string without_slash(const std::string& frame)
-{
-  return frame.compare(0, 1, "/") == 0 ? frame.substr(1) : frame;
-}
 
 /// What the robot's pose is called in errors.
 constexpr const char* kStartPose = "start pose";

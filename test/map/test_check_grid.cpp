@@ -75,6 +75,20 @@ TEST(CheckGrid, RejectsResolutionsThatAreNotPositiveNumbers)
   }
 }
 
+TEST(CheckGrid, RejectsResolutionsAndOriginsThatMeanNothing)
+{
+  for (double bad : {1e-30, 0.9e-4, 1.1e3, 1e30})
+  {
+    OccupancyGrid grid = free_grid(4, 3, 0.1);
+    grid.resolution = bad;
+    expect_rejected(grid, "resolution");
+  }
+  for (double bad : {1e300, -1.1e12})
+    for (const Pose& origin : {Pose{bad, 0.0, 0.0}, Pose{0.0, bad, 0.0}, Pose{0.0, 0.0, bad}})
+      expect_rejected(free_grid(4, 3, 0.1, origin), "origin");
+  EXPECT_NO_THROW(check_grid(free_grid(4, 3, 0.1, {5e9, -5e9, 0.3})));
+}
+
 TEST(CheckGrid, RejectsOriginsThatAreNotFinite)
 {
   for (double bad : {std::nan(""), std::numeric_limits<double>::infinity()})

@@ -2,6 +2,8 @@
 #include <fstream>
 
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/MapMetaData.h>
 #include <octomap/OcTree.h>
 
 #include "fourwis_navigation/map/map_file.h"
@@ -161,6 +163,14 @@ TEST(MapPublisherNode, publishes_latched_what_the_file_says)
   expect_same(*map, read_map_file(yaml.path()));
   Inbox<nav_msgs::OccupancyGrid> late("map");
   EXPECT_TRUE(late.wait_for_any()) << "not latched";
+
+  Inbox<nav_msgs::MapMetaData> metadata("map_metadata");
+  const auto info = metadata.wait_for_any();
+  ASSERT_TRUE(info);
+  EXPECT_EQ(*info, map->info);
+  nav_msgs::GetMap asked;
+  ASSERT_TRUE(ros::service::call("static_map", asked));
+  EXPECT_EQ(asked.response.map, *map);
 }
 
 TEST(MapPublisherNode, a_bad_file_stops_it_in_one_line_that_names_it)

@@ -157,6 +157,16 @@ TEST(Conversions, a_map_survives_the_way_there_and_back)
   EXPECT_NEAR(back.info.origin.orientation.z, map.info.origin.orientation.z, 1e-12);
 }
 
+TEST(Conversions, a_map_whose_origin_has_no_orientation_is_not_turned)
+{
+  nav_msgs::OccupancyGrid map = small_map();
+  map.info.origin = geometry_msgs::Pose();
+  map.info.origin.position.x = -3.0;
+  const Pose origin = to_grid(map).origin;
+  EXPECT_EQ(origin.x, -3.0);
+  EXPECT_EQ(origin.theta, 0.0);
+}
+
 TEST(Conversions, an_unusable_map_is_refused_by_the_field_that_is_wrong)
 {
   using Map = nav_msgs::OccupancyGrid;
@@ -170,7 +180,7 @@ TEST(Conversions, an_unusable_map_is_refused_by_the_field_that_is_wrong)
   EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.width = m.info.height = 0xffffffffu; }), "data holds 6 cells"));
   for (float bad : {0.0f, -0.05f, float(kNaN), float(kInf)})
     EXPECT_TRUE(says(map_refusal([bad](Map& m) { m.info.resolution = bad; }), "resolution"));
-  EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.origin.orientation.w = 0.0; }), "map: origin: orientation"));
+  EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.origin.orientation.w = 0.5; }), "map: origin: orientation"));
   EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.origin.orientation.z = kNaN; }), "map: origin: orientation"));
   EXPECT_TRUE(says(map_refusal([](Map& m) { m.info.origin.position.x = kNaN; }), "map: origin: position"));
 }

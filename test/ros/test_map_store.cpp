@@ -159,6 +159,15 @@ TEST_F(MapStoreTest, a_map_or_update_in_another_frame_is_refused_by_name)
   EXPECT_FALSE(newest());
 }
 
+TEST_F(MapStoreTest, a_leading_slash_of_the_frame_makes_no_difference)
+{
+  nav_msgs::OccupancyGrid slashed = map(20, 20, 1.0);
+  slashed.header.frame_id = "/map";
+  add(slashed);
+  expect_none_refused();
+  EXPECT_TRUE(newest());
+}
+
 TEST_F(MapStoreTest, an_update_without_a_map_or_out_of_its_bounds_is_refused)
 {
   add(update(0, 0, 100, 1.0));
