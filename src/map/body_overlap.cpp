@@ -67,11 +67,11 @@ public:
     }
   }
 
-  /// False for NaN.
+  /// False for NaN, which leaves the spans empty.
   bool lies_in(const ObstacleMap& map) const
   {
-    return across_.low >= -kTouch && along_.low >= -kTouch && across_.high <= map.width() + kTouch &&
-           along_.high <= map.height() + kTouch;
+    return across_.low <= across_.high && along_.low <= along_.high && across_.low >= -kTouch &&
+           along_.low >= -kTouch && across_.high <= map.width() + kTouch && along_.high <= map.height() + kTouch;
   }
 
   /// Calls visit(row, first column, last column) for the cells of the grid that the body overlaps, as long as it returns true.

@@ -63,18 +63,18 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, c
   : CollisionChecker(map, robot)
 {
   const ConvexPolygon body = body_of(robot);
+  const double usual = std::max(robot.safety_margin, kLeastMargin);
   double least = robot.safety_margin;
   for (const Pose& pose : tight)
   {
-    const double margin = std::max(0.0, body_clearance(map, body, pose, robot.safety_margin + kRounding) - kRounding);
-    if (margin >= robot.safety_margin) continue;
+    const double margin = std::max(0.0, body_clearance(map, body, pose, usual + kRounding) - kRounding);
+    if (margin >= usual) continue;
     tight_.push_back({pose.x, pose.y, margin, grown(body, margin)});
     least = std::min(least, margin);
   }
   goes_by_body_ = true;
   // Two discs that cover the body with its margin: they only save the look at the body.
-  const double margin = std::max(robot.safety_margin, kLeastMargin);
-  discs_.radius = std::hypot(robot.length / 4.0 + margin, robot.width / 2.0 + margin);
+  discs_.radius = std::hypot(robot.length / 4.0 + usual, robot.width / 2.0 + usual);
   needed_ = inscribed_discs(robot, least);
   for (double by : kRooms) larger_.push_back({by * robot.size(), grown(with_margin_, by * robot.size())});
   stride_ = std::max(kLeastStride, least);

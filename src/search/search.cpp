@@ -39,17 +39,17 @@ SearchOptions finer(SearchOptions options, const Robot& robot)
   return options;
 }
 
-/// The same path in the other direction.
-Path reversed(Path path, const Robot& robot)
+/// The same path in the other direction, from exactly `start` on.
+Path reversed(Path path, const Pose& start, const Robot& robot)
 {
-  const Pose start = path.pieces.empty() ? path.goal : path.pieces.front().start;
-  for (PathPiece& piece : path.pieces)
-  {
-    piece.start = advance(robot, piece.start, piece.mode, piece.phi, piece.length);
-    piece.length = -piece.length;
-  }
   std::reverse(path.pieces.begin(), path.pieces.end());
   path.goal = start;
+  for (PathPiece& piece : path.pieces)
+  {
+    piece.start = path.goal;
+    piece.length = -piece.length;
+    path.goal = advance(robot, piece.start, piece.mode, piece.phi, piece.length);
+  }
   return path;
 }
 
@@ -105,7 +105,8 @@ SearchResult Search::find_quickly(SearchOptions options, const ModeSet& modes, E
   const int expansions = found.expansions;
   found = backward().quick(options, modes, nullptr);
   found.expansions += expansions;
-  if (found.status == PlanStatus::succeeded) found.path = reversed(std::move(found.path), problem_.checker.robot());
+  if (found.status == PlanStatus::succeeded)
+    found.path = reversed(std::move(found.path), problem_.start, problem_.checker.robot());
   return found;
 }
 
@@ -130,7 +131,7 @@ SearchResult Search::find_thoroughly(SearchOptions options, const ModeSet& modes
       found = forward ? forward_->guided(options, modes, expanded) : backward().guided(options, modes, nullptr);
       found.expansions = expansions += found.expansions;
       if (found.status == PlanStatus::succeeded && !forward)
-        found.path = reversed(std::move(found.path), problem_.checker.robot());
+        found.path = reversed(std::move(found.path), problem_.start, problem_.checker.robot());
       if (found.status != PlanStatus::no_path) return found;
     }
   }

@@ -60,13 +60,31 @@ TEST(Json, HasExactlyTheKeysOfTheContract)
   PlanResult result;
   result.trajectory = random_trajectory(7);
   const json document = written(result);
-  EXPECT_EQ(keys_of(document), (Keys{"status", "message", "metrics", "points"}));
+  EXPECT_EQ(keys_of(document),
+            (Keys{"status", "message", "metrics", "candidate", "fallback_parts", "overlap_m", "degraded", "points"}));
   EXPECT_EQ(keys_of(document["metrics"]),
             (Keys{"SF", "TL", "AT", "AC", "MC", "TPE", "TYE", "SMR", "CT_ms", "frontend_ms", "backend_ms", "verify_ms",
                   "expansions", "switches", "outer_iterations", "ipopt_iterations", "min_clearance_m"}));
   ASSERT_EQ(document["points"].size(), 7u);
   for (const json& point : document["points"])
     EXPECT_EQ(keys_of(point), (Keys{"t", "mode", "x", "y", "theta", "v", "phi", "a", "omega"}));
+}
+
+TEST(Json, SaysWhichCandidateWonAndWhatIsNotAsItShouldBe)
+{
+  PlanResult result;
+  EXPECT_EQ(written(result)["candidate"], "");
+  EXPECT_EQ(written(result)["fallback_parts"], 0);
+  EXPECT_EQ(written(result)["overlap_m"], 0.0);
+  EXPECT_EQ(written(result)["degraded"], false);
+  result.candidate = "ackermann by time";
+  result.fallback_parts = 2;
+  result.overlap = 0.0123;
+  result.degraded = true;
+  EXPECT_EQ(written(result)["candidate"], "ackermann by time");
+  EXPECT_EQ(written(result)["fallback_parts"], 2);
+  EXPECT_EQ(written(result)["overlap_m"], 0.0123);
+  EXPECT_EQ(written(result)["degraded"], true);
 }
 
 TEST(Json, WithoutTrajectoryHasAnEmptyListOfPoints)

@@ -56,8 +56,8 @@ Pose any_pose(const OccupancyGrid& grid, Random& random)
   return compose(grid.origin, {random.between(-0.3, 5.3), random.between(-0.3, 5.3), turn});
 }
 
-/// Whether polygons overlap by more than a touch: no side of either separates them.
-bool overlap(const std::vector<Point2>& p, const std::vector<Point2>& q)
+/// Whether polygons overlap by more than `touch` [m]: no side of either separates them.
+bool overlap(const std::vector<Point2>& p, const std::vector<Point2>& q, double touch)
 {
   for (const auto* polygon : {&p, &q})
     for (std::size_t i = 0; i < polygon->size(); ++i)
@@ -69,7 +69,7 @@ bool overlap(const std::vector<Point2>& p, const std::vector<Point2>& q)
         p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
       for (const Point2& c : q)
         q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
-      if (p_low > q_high - kTouch || q_low > p_high - kTouch) return false;
+      if (p_low > q_high - touch || q_low > p_high - touch) return false;
     }
   return true;
 }
@@ -139,7 +139,7 @@ TEST(IsClear, AgreesWithSeparatingAxesForPolygonsAnywhereAboutC)
       for (const Point2& c : corners) is_inside &= std::min(c.x, c.y) >= 0.0 && std::max(c.x, c.y) <= side;
       for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
-          if (grid.at(column, row) > 0 && overlap(corners, square(grid, column, row))) collides = true;
+          if (grid.at(column, row) > 0 && overlap(corners, square(grid, column, row), kTouch)) collides = true;
       ASSERT_EQ(is_clear(map, body, placed(pose)), is_inside && !collides) << text(pose);
       ++(is_inside && !collides ? clear : blocked);
     }
@@ -161,8 +161,11 @@ TEST(OverlappedCells, AreThoseThatNoSideSeparates)
       const std::vector<Point2> corners = placed_polygon(grid, body, pose);
       for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
-          ASSERT_EQ(found.count({column, row}) > 0, overlap(corners, square(grid, column, row)))
-              << column << ' ' << row;
+        {
+          const bool is_found = found.count({column, row}) > 0;
+          ASSERT_TRUE(is_found || !overlap(corners, square(grid, column, row), kTouch)) << column << ' ' << row;
+          ASSERT_TRUE(!is_found || overlap(corners, square(grid, column, row), 0.0)) << column << ' ' << row;
+        }
     }
   });
 }
@@ -209,8 +212,8 @@ TEST(BodyClearance, IsTheDepthWhereTheBodyOverlaps)
     {
       const Pose pose = any_pose(grid, random);
       const double depth = rectangle.depth(pose), clearance = body_clearance(map, body_of(robot), pose, 0.1);
-      if (depth < kTouch) continue;
-      if (depth > robot.width / 2.0 - 1e-4)
+      if (depth < kTouch || std::abs(depth - robot.width / 2.0) < 1e-5) continue;
+      if (depth > robot.width / 2.0)
       {
         ASSERT_EQ(clearance, -std::numeric_limits<double>::infinity()) << text(pose);
         ++hopeless;

@@ -38,9 +38,9 @@ inline OccupancyGrid maze(const Pose& origin = {})
     if (wall % 2 == 0)
       for (int column = 40; column < 45; ++column) cell(grid, column, row) = 0;
   }
-  // Posts to go round.
-  for (const auto& [column, row] : {std::pair(60, 6), {30, 23}, {80, 37}, {55, 52}, {35, 68}, {75, 82}, {50, 97}})
-    occupy_block(grid, column, row, 2, 2);
+  // Posts at the walls, now on one side and now on the other, to go round.
+  for (const auto& [column, row] : {std::pair(60, 11), {30, 16}, {80, 41}, {55, 46}, {35, 71}, {75, 76}, {50, 101}})
+    occupy_block(grid, column, row, 3, 4);
   return grid;
 }
 

@@ -150,7 +150,7 @@ TEST_P(OnceFailing, IsSolved)
   EXPECT_LE(result.metrics.arrival_time, place.latest);
   EXPECT_LE(result.metrics.expansions, place.most_expansions);
   EXPECT_LE(result.fallback_parts, place.most_fallbacks) << result.message;
-  if (result.fallback_parts == 0) EXPECT_EQ(needless_stops(result.trajectory), 0);
+  EXPECT_TRUE(result.fallback_parts > 0 || needless_stops(result.trajectory) == 0);
   // Beside the planner's referee: the body's rectangle along the drive.
   const ExactRectangle body(place.grid, robot);
   double least = body.depth(place.start);

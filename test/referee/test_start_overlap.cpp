@@ -120,7 +120,7 @@ TEST_F(StartOverlap, IsJudgedAsTheDepthOfTheExactRectangleSays)
 {
   constexpr unsigned kSeed = 61;
   int accepted = 0, refused = 0;
-  for (int k = 0; k < 4000 && std::min(accepted, refused) < 60; ++k)
+  for (int k = 0; k < 6000; ++k)
   {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", drive " + std::to_string(k));
     Random random(kSeed + static_cast<unsigned>(k));

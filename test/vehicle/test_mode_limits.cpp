@@ -152,7 +152,7 @@ TEST(Limitations, NameTheModesLeftOutAndTheAnglesOutOfReach)
   const std::vector<std::string> at_45 = limitations(with_travel(45.0 * kDegree));
   ASSERT_EQ(at_45.size(), 2u);
   EXPECT_TRUE(says(at_45.front(),
-                   "ackermann motion steers by 0.5156 rad at most instead of 'max_steering_angle' = 0.5236 rad"));
+                   "ackermann motion steers by 0.5155 rad at most instead of 'max_steering_angle' = 0.5236 rad"));
   EXPECT_TRUE(says(at_45.back(), "lateral motion is left out"));
 }
 
