@@ -14,7 +14,7 @@ namespace
 {
 
 /// Of grids that mean something: side of a cell [m], and coordinates of the origin, of which millimetres are left [m, rad].
-constexpr double kLeastResolution = 1e-4, kMostResolution = 1e3, kFarthestOrigin = 1e12;
+constexpr double kLeastResolution = 1e-9, kMostResolution = 1e9, kFarthestOrigin = 1e12;
 /// Bounds of the clearance closer than this many cell diagonals are replaced by its exact value.
 constexpr double kExactWithin = 1.0;
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();

@@ -64,18 +64,23 @@ Candidates find_candidates(const Search& search, const std::vector<SearchVariant
                            ThreadBudget& threads, std::vector<Pose>* expanded)
 {
   std::vector<SearchResult> results(variants.size());
-  threads.for_each(variants.size(), [&](std::size_t i) {
-    const SearchVariant& variant = variants[i];
-    results[i] =
-        search.find(variant.options, variant.modes, std::min(effort, Effort::both_ways), i == 0 ? expanded : nullptr);
-  });
-  Candidates found = collect(variants, results);
-  if (found.status != PlanStatus::no_path || effort == Effort::quick) return found;
-  const int expansions = found.expansions;
-  found =
-      collect({variants.front()}, {search.find(variants.front().options, variants.front().modes, effort, expanded)});
-  found.expansions += expansions;
-  return found;
+  const auto search_with = [&](std::size_t i, Effort e) {
+    const int before = results[i].expansions;
+    results[i] = search.find(variants[i].options, variants[i].modes, e, i == 0 ? expanded : nullptr);
+    results[i].expansions += before;
+  };
+  if (effort == Effort::quick)
+    threads.for_each(variants.size(), [&](std::size_t i) { search_with(i, effort); });
+  else
+  {
+    // In narrow places most searches find nothing: the others follow where the first has found something soon.
+    search_with(0, Effort::both_ways);
+    if (results[0].status == PlanStatus::succeeded)
+      threads.for_each(variants.size() - 1, [&](std::size_t i) { search_with(i + 1, Effort::both_ways); });
+    else if (results[0].status == PlanStatus::no_path)
+      search_with(0, effort);
+  }
+  return collect(variants, results);
 }
 
 }  // namespace fourwis

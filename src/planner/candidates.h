@@ -41,9 +41,9 @@ struct Candidates
 /// that stand for time, and with Ackermann motion by softened costs.
 std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
 
-/// What they find, searching at the same time: all with a quick search, and where that finds nothing and more effort is
-/// allowed, the first variant with a thorough one. Poses that the first expands are appended to `expanded` where it is not
-/// null.
+/// What they find, with a quick search for each at the same time. With more effort the first variant is searched with first, in
+/// both directions; the others follow where it finds something, and where it does not, a thorough search with it. Poses that
+/// the first expands are appended to `expanded` where it is not null.
 Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,
                            ThreadBudget& threads, std::vector<Pose>* expanded = nullptr);
 

@@ -84,7 +84,8 @@ std::string collision_sentence(const World& world, const Endpoint& endpoint, con
                     grid.height * grid.resolution) +
            nearest_sentence(world, pose);
   if (endpoint.unseen) return where + "lies on cells that no sensor has seen; " + nearest_sentence(world, pose);
-  if (!std::isfinite(endpoint.clearance)) return where + "lies in an obstacle; " + nearest_sentence(world, pose);
+  if (!std::isfinite(endpoint.clearance))
+    return where + "is in collision: it lies in an obstacle; " + nearest_sentence(world, pose);
   return where + sentence("is in collision: the body overlaps an obstacle by %.3f m; ", -endpoint.clearance) +
          nearest_sentence(world, pose);
 }

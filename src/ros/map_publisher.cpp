@@ -21,7 +21,7 @@ MapPublisher::MapPublisher(const OccupancyGrid& grid, const std::string& frame)
   ROS_INFO("map of %d x %d cells at %g m in frame '%s'", grid.width, grid.height, grid.resolution, frame.c_str());
 }
 
-bool MapPublisher::serve(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) const
+bool MapPublisher::serve(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response)
 {
   response.map = map_;
   return true;

@@ -20,7 +20,7 @@ public:
   MapPublisher(const OccupancyGrid& grid, const std::string& frame);
 
 private:
-  bool serve(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response) const;
+  bool serve(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
 
   ros::NodeHandle node_;
   nav_msgs::OccupancyGrid map_;

@@ -1,5 +1,6 @@
 #include "directed_search.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -14,15 +15,6 @@ constexpr double kFieldSlack = 4.0;
 constexpr double kLatticeSpacing = 0.025;
 constexpr double kMostLatticePoints = 1.5e6;
 
-/// A part of a cell of the map where that is larger, so that the points lie in the middle of gaps, too.
-double lattice_spacing(const CollisionChecker& checker)
-{
-  const ObstacleMap& map = checker.map();
-  const double area = map.width() * map.resolution() * map.height() * map.resolution();
-  const double wanted = std::max(kLatticeSpacing * checker.robot().size(), std::sqrt(area / kMostLatticePoints));
-  return wanted < map.resolution() ? map.resolution() / std::ceil(map.resolution() / wanted - 1e-9) : wanted;
-}
-
 }  // namespace
 
 DirectedSearch::DirectedSearch(const SearchProblem& problem)
@@ -30,11 +22,21 @@ DirectedSearch::DirectedSearch(const SearchProblem& problem)
     distance_(problem_, kFieldSlack * problem_.checker.robot().size())
 {}
 
+/// A part of a cell of the map where that is larger, so that the points lie in the middle of gaps, too.
+double DirectedSearch::lattice_spacing() const
+{
+  const ObstacleMap& map = problem_.checker.map();
+  const double area = map.width() * map.resolution() * map.height() * map.resolution();
+  const double wanted =
+      std::max(kLatticeSpacing * problem_.checker.robot().size(), std::sqrt(area / kMostLatticePoints));
+  return wanted < map.resolution() ? map.resolution() / std::ceil(map.resolution() / wanted - 1e-9) : wanted;
+}
+
 const HolonomicDistance& DirectedSearch::holonomic_distance() const
 {
   std::call_once(once_, [&] {
-    holonomic_distance_ = std::make_unique<HolonomicDistance>(problem_, lattice_spacing(problem_.checker),
-                                                              kFieldSlack * problem_.checker.robot().size());
+    holonomic_distance_ =
+        std::make_unique<HolonomicDistance>(problem_, lattice_spacing(), kFieldSlack * problem_.checker.robot().size());
   });
   return *holonomic_distance_;
 }

@@ -23,6 +23,9 @@ public:
   /// What guides thorough searches; computed when first asked for, which takes tens of milliseconds.
   const HolonomicDistance& holonomic_distance() const;
 
+  /// Between the points of the lattice of poses that holonomic_distance() is made of [m].
+  double lattice_spacing() const;
+
   /// Guided by the distance around obstacles.
   SearchResult quick(const SearchOptions& options, const ModeSet& modes, std::vector<Pose>* expanded) const;
 

@@ -1,10 +1,13 @@
 #include "reachability.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "configuration_space.h"
 #include "pose_boxes.h"
 
 namespace fourwis
@@ -21,6 +24,50 @@ constexpr int kMostVisits = 1'000'000;
 bool is_over(const Interrupt& interrupt)
 {
   return interrupt.cancelled() || interrupt.timed_out();
+}
+
+/// Whether a flood from the start through all that may be free around the points of a lattice reaches the goal.
+bool flood_reaches_goal(const SearchProblem& problem, double spacing)
+{
+  const ObstacleMap& map = problem.checker.map();
+  const HeadingSlices free = possibly_free_headings(problem.checker, spacing, problem.interrupt);
+  std::vector<HeadingSet> reached(static_cast<std::size_t>(free.columns()) * static_cast<std::size_t>(free.rows()), 0);
+  std::vector<std::pair<int, int>> front;
+  const auto reach = [&](int i, int j, HeadingSet headings) {
+    if (i < 0 || j < 0 || i >= free.columns() || j >= free.rows()) return;
+    HeadingSet& known =
+        reached[static_cast<std::size_t>(j) * static_cast<std::size_t>(free.columns()) + static_cast<std::size_t>(i)];
+    HeadingSet all = known | headings;
+    if (all == known) return;
+    for (HeadingSet next = 0; next != all; all |= turned_by_one_bin(all) & free.at(i, j)) next = all;
+    known = all;
+    front.emplace_back(i, j);
+  };
+  const auto point_of = [&](const Pose& pose) {
+    const Pose in_grid = relative_to(map.origin(), pose);
+    return std::pair<int, int>(std::lround(in_grid.x / spacing), std::lround(in_grid.y / spacing));
+  };
+  const auto [start_i, start_j] = point_of(problem.start);
+  const auto [goal_i, goal_j] = point_of(problem.goal);
+  const HeadingSet first = heading_bit(heading_bin(problem.start.theta));
+  const HeadingSet last = heading_bit(heading_bin(problem.goal.theta));
+  reach(start_i, start_j, first | turned_by_one_bin(first));
+  const auto has_reached_goal = [&] {
+    return (reached[static_cast<std::size_t>(goal_j) * static_cast<std::size_t>(free.columns()) +
+                    static_cast<std::size_t>(goal_i)] &
+            (last | turned_by_one_bin(last))) != 0;
+  };
+  for (int steps = 0; !front.empty() && !has_reached_goal(); ++steps)
+  {
+    if (steps % kInterruptInterval == 0 && is_over(problem.interrupt)) return true;
+    const auto [i, j] = front.back();
+    front.pop_back();
+    const HeadingSet here =
+        reached[static_cast<std::size_t>(j) * static_cast<std::size_t>(free.columns()) + static_cast<std::size_t>(i)];
+    for (int dj = -1; dj <= 1; ++dj)
+      for (int di = -1; di <= 1; ++di) reach(i + di, j + dj, here & free.at(i + di, j + dj));
+  }
+  return has_reached_goal() || is_over(problem.interrupt);
 }
 
 /// Looks for chains of boxes that are not blocked.
@@ -114,8 +161,9 @@ private:
 
 }  // namespace
 
-bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance)
+bool may_be_reachable(const SearchProblem& problem, const GoalDistance& distance, double spacing)
 {
+  if (!flood_reaches_goal(problem, spacing)) return false;
   PoseBoxes boxes(problem.checker);
   Chains chains(boxes, problem, distance);
   for (;;)

@@ -113,7 +113,8 @@ SearchResult Search::find_quickly(SearchOptions options, const ModeSet& modes, E
 /// Where even a body that turns in place finds no way between the points of a lattice, a proof that there is none.
 bool Search::is_proven_unreachable() const
 {
-  return !forward_->holonomic_distance().reaches_start() && !may_be_reachable(problem_, forward_->distance());
+  return !forward_->holonomic_distance().reaches_start() &&
+         !may_be_reachable(problem_, forward_->distance(), forward_->lattice_spacing());
 }
 
 SearchResult Search::find_thoroughly(SearchOptions options, const ModeSet& modes, std::vector<Pose>* expanded) const

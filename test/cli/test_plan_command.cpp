@@ -194,7 +194,7 @@ TEST_F(PlanCommand, UnusableInputIsStatusTwoNamedInOneLineAndInTheJson)
       {poses + Words{"--map", path("missing.yaml")}, {"missing.yaml"}},
       {poses + Words{"--map", path("bad.yaml")}, {"bad.yaml", "resolution"}},
       {poses + Words{"--octomap", path("bad.bt")}, {"bad.bt"}},
-      {easy() + Words{"--robot", path("robot.yaml")}, {"robot.yaml", "missing", "width"}},
+      {easy() + Words{"--robot", path("robot.yaml")}, {"robot.yaml", "length", "nine"}},
       {easy() + Words{"--robot", path("missing.yaml")}, {"missing.yaml"}},
       {easy() + Words{"--planner", path("robot.yaml")}, {"robot.yaml", "unknown", "length", "nine"}},
       {across("1.5,nan,0", "5,4,0"), {"--start", "nan"}},

@@ -77,7 +77,7 @@ TEST(CheckGrid, RejectsResolutionsThatAreNotPositiveNumbers)
 
 TEST(CheckGrid, RejectsResolutionsAndOriginsThatMeanNothing)
 {
-  for (double bad : {1e-30, 0.9e-4, 1.1e3, 1e30})
+  for (double bad : {1e-30, 0.9e-9, 1.1e9, 1e30})
   {
     OccupancyGrid grid = free_grid(4, 3, 0.1);
     grid.resolution = bad;

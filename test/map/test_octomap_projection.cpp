@@ -189,7 +189,7 @@ TEST_F(OctomapProjection, TakesAHugeBandForAllHeights)
   Random random(5);
   octomap::OcTree tree = random_tree<octomap::OcTree>(random, 0.1);
   tree.write(folder_ / "map.ot");
-  const auto everything = project_octomap_file(folder_ / "map.ot", {-1e300, 1e300});
+  const auto everything = project_octomap_file(folder_ / "map.ot", {-1e6, 1e6});
   EXPECT_EQ(everything.data, project_octomap_file(folder_ / "map.ot", {-10.0, 10.0}).data);
 }
 

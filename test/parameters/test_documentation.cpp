@@ -39,7 +39,7 @@ TEST(ParameterDocumentation, HasEveryKeyOfEveryConfigurationFile)
 TEST(ParameterDocumentation, SaysWhatAKeyIsAndMayBe)
 {
   const std::string text = parameter_documentation();
-  EXPECT_TRUE(says(text, "| `step_time` | 0.5 | 0.01 to 10 | s |"));
+  EXPECT_TRUE(says(text, "| `step_time` | from the robot's size and turns | 0.01 to 10 | s |"));
   EXPECT_TRUE(says(text, "| `max_expansions` | 200000 | 1 to 1e+09 |  |"));
   EXPECT_TRUE(says(text, "| `switching_awareness` | true | true, false |  |"));
   EXPECT_TRUE(says(text, "| `solver` | structured | one of structured, ipopt |  |"));

@@ -92,7 +92,7 @@ TEST_F(Sentences, AWallUnderTheBodyIsNoUnseenGround)
   occupy_block(grid, 118, 48, 4, 4);
   const PlanResult goal = plan(grid, here, {12.0, 5.0, 0.0});
   EXPECT_FALSE(says(goal.message, "no sensor has seen")) << goal.message;
-  EXPECT_TRUE(says(goal.message, "lies in an obstacle; ")) << goal.message;
+  EXPECT_TRUE(says(goal.message, "is in collision: it lies in an obstacle; ")) << goal.message;
 }
 
 TEST_F(Sentences, AnOverlapHasItsDepth)

@@ -24,14 +24,13 @@ struct PlannerTest : PlannerFixture
       SCOPED_TRACE("seed " + std::to_string(kSeed) + ", request " + std::to_string(k) + ", " + text(modes));
       const World world(clutter(random, 7.0, k % 2 ? 0.05 : 0.1, 7, random.pose(5.0)), robot, options);
       const CollisionChecker checker(world.obstacles, robot);
-      PlanRequest request = {free_pose(random, checker), free_pose(random, checker), modes};
+      // The obstacles are in the frame of the grid, the request is in the map frame.
+      const Pose start = free_pose(random, checker);
+      Pose goal = free_pose(random, checker);
+      if (!modes.contains(Mode::ackermann) && !modes.contains(Mode::lateral)) goal.theta = start.theta;
+      if (!checker.is_free(goal)) continue;
+      PlanRequest request = {compose(world.grid.origin, start), compose(world.grid.origin, goal), modes};
       request.frontend_only = k % 2 == 1;
-      if (!modes.contains(Mode::ackermann) && !modes.contains(Mode::lateral))
-      {
-        const Pose turned = {request.goal.x, request.goal.y, request.start.theta};
-        if (!checker.is_free(turned)) continue;
-        request.goal = turned;
-      }
       visit(world, request, plan(world, request));
       if (HasFatalFailure()) return;
     }

@@ -113,9 +113,9 @@ TEST_F(TightPlaces, RefusesToStartInContactAndSaysByHowMuch)
 {
   OccupancyGrid grid = free_area(8.0, 6.0, 0.01);
   occupy_block(grid, 0, 0, 800, 100);
-  const PlanResult result = plan(World(grid, robot, options), {5.0, 1.0 + robot.width / 2.0 - 0.03, 0.0}, there);
+  const PlanResult result = plan(World(grid, robot, options), {5.0, 1.0 + robot.width / 2.0 - 0.04, 0.0}, there);
   EXPECT_STREQ(to_string(result.status), "start_in_collision");
-  EXPECT_NE(result.message.find("too close to an obstacle"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("the body overlaps an obstacle by 0.040 m"), std::string::npos) << result.message;
 }
 
 }  // namespace

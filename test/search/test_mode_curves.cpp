@@ -210,6 +210,7 @@ TEST_F(Curves, OfLateralMotionAreThoseOfAckermannMotionOfTheRobotTurnedByARightA
 {
   SearchOptions fair;
   fair.lateral_reverse_penalty = fair.reverse_penalty;
+  fair.step_time = 0.5;  // penalties are per primitive
   const Robot sideways = turned(robot);
   const MotionCost lateral_cost(robot, fair), ackermann_cost(sideways, fair);
   const ModeSet only_lateral = {Mode::lateral}, only_ackermann = {Mode::ackermann};

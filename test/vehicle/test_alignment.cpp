@@ -55,7 +55,7 @@ TEST(Alignment, wheels_with_much_travel_turn_by_half_a_turn_and_their_steering)
 TEST(Alignment, no_wheel_is_told_to_turn_farther)
 {
   Random random(5);
-  for (int k = 0; k < 20000; ++k)
+  for (int k = 0; k < 5000; ++k)
   {
     Robot robot = with_travel(random.between(20.0, 400.0));
     robot.wheelbase = random.between(0.1, 0.9);

@@ -66,7 +66,7 @@ private:
 };
 
 /// Throws std::invalid_argument naming field, value and what was expected when a grid is unusable: no cells, data size not
-/// width x height, resolution not 0.1 mm to 1 km, origin not finite or beyond 1e12.
+/// width x height, resolution not from 1e-9 to 1e9 m, origin not finite or beyond 1e12.
 void check_grid(const OccupancyGrid& grid);
 
 }  // namespace fourwis

@@ -25,8 +25,8 @@ struct Path
 {
   std::vector<PathPiece> pieces;
   Pose goal;                         ///< where the last piece ends
-  bool begins_with_way_out = false;  ///< the first piece is driven as it is, to its end at rest
   double cost = 0.0;                 ///< accumulated cost g of the search, in metres of travel
+  bool begins_with_way_out = false;  ///< the first piece is driven as it is, to its end at rest
 
   double length() const
   {
