@@ -132,8 +132,8 @@ void transpose(std::array<std::uint64_t, kWord>& square)
 HeadingSlices::HeadingSlices(const ObstacleMap& map, double spacing, const ConvexPolygon& body,
                              const Interrupt& interrupt)
   : spacing_(spacing),
-    columns_(static_cast<int>(map.width() * map.resolution() / spacing + kRounding) + 1),
-    rows_(static_cast<int>(map.height() * map.resolution() / spacing + kRounding) + 1),
+    columns_(static_cast<int>(std::ceil(map.width() * map.resolution() / spacing - kRounding)) + 1),
+    rows_(static_cast<int>(std::ceil(map.height() * map.resolution() / spacing - kRounding)) + 1),
     clear_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kAllHeadings)
 {
   const std::vector<std::vector<Run>> rows = runs_of(map);

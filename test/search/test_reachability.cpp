@@ -279,6 +279,16 @@ TEST(AProofOfUnreachability, IsGivenWhereTheRobotHasToTurnAndCannot)
   }
 }
 
+/// A goal beyond half the spacing of the last point of a coarse lattice that lies on the grid, as on very large maps.
+TEST(AProofOfUnreachability, IsNotGivenBesideTheBorderHoweverCoarseTheLatticeIs)
+{
+  const Site site(free_area(4.9, 4.9, 0.1));
+  const CollisionChecker body(site.map, site.robot, std::vector<Pose>());
+  const SearchProblem problem = {body, {1.0, 2.0, M_PI_2}, {4.55, 2.0, M_PI_2}};
+  for (double spacing : {0.3, 1.0, 1.7, 4.0})
+    EXPECT_TRUE(may_be_reachable(problem, GoalDistance(problem, kSlack), spacing)) << spacing;
+}
+
 TEST(AProofOfUnreachability, IsNotGivenWhenInterrupted)
 {
   // Nothing is known yet when the search for a chain has a long way to go.
