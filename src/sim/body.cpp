@@ -25,7 +25,8 @@ Eigen::Vector3d row(const WheelPosition& axis, double angle)
 
 }  // namespace
 
-Body::Body(const Robot& robot, const SlipOptions& slip) : axes_(wheel_positions(robot)), slip_(checked(slip)) {}
+Body::Body(const Robot& robot, const SlipOptions& slip) : axes_(wheel_positions(checked(robot))), slip_(checked(slip))
+{}
 
 void Body::place(const Pose& pose)
 {

@@ -6,8 +6,9 @@ namespace fourwis
 {
 
 Plant::Plant(const Robot& robot, const ActuatorOptions& actuators, const SlipOptions& slip)
-  : wheels_(kWheels, Wheel{Actuator({robot.wheel_max_angle, robot.wheel_max_rate, checked(actuators).steering_lag}),
-                           Actuator({robot.wheel_max_speed, actuators.drive_acceleration, actuators.drive_lag})}),
+  : wheels_(kWheels,
+            Wheel{Actuator({checked(robot).wheel_max_angle, robot.wheel_max_rate, checked(actuators).steering_lag}),
+                  Actuator({robot.wheel_max_speed, actuators.drive_acceleration, actuators.drive_lag})}),
     body_(robot, slip)
 {}
 

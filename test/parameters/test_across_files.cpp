@@ -131,7 +131,7 @@ TEST(AcrossFiles, a_planner_that_does_not_wait_for_the_robot_to_brake_is_rejecte
   EXPECT_EQ(refusal(global_planner_parameters_from, planner(),
                     {{"robot/max_acceleration", 0.2}, {"wait_for_controller", false}}),
             "")
-      << "nobody to wait for";
+      << "there is no controller to wait for";
 }
 
 }  // namespace

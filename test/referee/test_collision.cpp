@@ -262,31 +262,48 @@ TEST(VerifyCollision, AlongMotionsAgreesWithBruteForceOnRandomGrids)
 /// only; at the end it lies just in front of the body.
 TEST(VerifyCollision, SeesAPostThatOnlyATurningCornerMeets)
 {
-  Robot robot;
-  robot.length = 2.4;
-  const double phi = 0.5, radius = robot.track_width / (2.0 * std::tan(phi)), ahead = radius + robot.length / 2;
-  int met = 0;
-  for (int k = 0; k < 60; ++k)
+  // A long body that goes sideways, and the same turned by a right angle: a wide one that goes ahead.
+  for (const bool wide : {false, true})
   {
-    SCOPED_TRACE(k);
-    const Script script = Script({3.0, 3.002, 0.0}, Mode::lateral, phi, robot).drive(0.8, 0.5 + 0.01 * k);
-    const Pose centre{script.start().x - radius, script.start().y, 0.0};  // of the turn to the left
-    OccupancyGrid grid = free_grid(600, 600, 0.01);
-    occupy(grid, 390, 268);  // beside the body at the start: the least clearance is there
-    // Between the circle that the front edge touches and that of the corners.
-    const double angle = script.end().theta + 0.05, reach = ahead + 0.02;
-    occupy(grid, static_cast<int>((centre.x + reach * std::cos(angle)) / 0.01),
-           static_cast<int>((centre.y + reach * std::sin(angle)) / 0.01));
-    const std::vector<Quad> cells = obstacles(grid, {});
-    double expected = INFINITY;
-    for (const Pose& pose : driven_poses(robot, script.points()))
-      expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
-    if (std::abs(expected) < 0.001) continue;
-    const Verdict verdict = strict(grid, {}, robot).judge(script.start(), script.end(), script.points());
-    EXPECT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected;
-    met += expected < 0.0;
+    SCOPED_TRACE(wide ? "wide" : "long");
+    Robot robot;
+    robot.length = 2.4;
+    if (wide)
+    {
+      std::swap(robot.length, robot.width);
+      std::swap(robot.wheelbase, robot.track_width);
+    }
+    const Mode mode = wide ? Mode::ackermann : Mode::lateral;
+    const Pose start = wide ? Pose{3.002, 3.0, 0.0} : Pose{3.0, 3.002, 0.0};
+    const double phi = 0.5, radius = 0.52 / (2.0 * std::tan(phi)), ahead = radius + 2.4 / 2;
+    const Pose centre = wide ? Pose{start.x, start.y + radius, 0.0} : Pose{start.x - radius, start.y, 0.0};
+    const double from_centre = wide ? -M_PI_2 : 0.0;  // the direction of C at the start
+    int met = 0;
+    for (int k = 0; k < 60; ++k)
+    {
+      SCOPED_TRACE(k);
+      const Script script = Script(start, mode, phi, robot).drive(0.8, 0.5 + 0.01 * k);
+      OccupancyGrid grid = free_grid(600, 600, 0.01);
+      // Beside the body at the start: the least clearance is there.
+      if (wide)
+        occupy(grid, 268, 209);
+      else
+        occupy(grid, 390, 268);
+      // Between the circle that the edge touches and that of the corners.
+      const double angle = from_centre + script.end().theta + 0.05, reach = ahead + 0.02;
+      occupy(grid, static_cast<int>((centre.x + reach * std::cos(angle)) / 0.01),
+             static_cast<int>((centre.y + reach * std::sin(angle)) / 0.01));
+      const std::vector<Quad> cells = obstacles(grid, {});
+      double expected = INFINITY;
+      for (const Pose& pose : driven_poses(robot, script.points()))
+        expected = std::min(expected, brute_clearance(grid, cells, pose, robot));
+      if (std::abs(expected) < 0.001) continue;
+      const Verdict verdict = strict(grid, {}, robot).judge(script.start(), script.end(), script.points());
+      EXPECT_EQ(complains_of(verdict, "collision"), expected < 0.0) << expected;
+      met += expected < 0.0;
+    }
+    EXPECT_GT(met, 50);
   }
-  EXPECT_GT(met, 50);
 }
 
 /// A rolled-out motion may miss the next point a little. The way to that point is checked as well.

@@ -7,6 +7,7 @@
 
 #include "../support/random.h"
 #include "../support/twist.h"
+#include "fourwis_navigation/sim/plant.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 #include "fourwis_navigation/vehicle/wheel_twist.h"
 
@@ -136,6 +137,10 @@ TEST_F(BodyOnWheels, RejectsInvalidOptions)
 {
   EXPECT_THROW(Body(robot, {1.0, 0.0}), std::invalid_argument);
   EXPECT_THROW(Body(robot, {NAN, 0.0}), std::invalid_argument);
+  Robot unusable;
+  unusable.length = NAN;
+  EXPECT_THROW(Body(unusable, {}), std::invalid_argument);
+  EXPECT_THROW(Plant(unusable, {}, {}), std::invalid_argument);
   EXPECT_THROW(Body(robot, {0.0, -0.1}), std::invalid_argument);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fourwis_navigation/vehicle/wheels.h"
 #include "track_fixture.h"
 
 namespace fourwis
@@ -89,6 +90,9 @@ void drive_into(Rig& rig, const Failure& failure)
   ASSERT_TRUE(rig.step_until(TrackState::stopping, 1.0));
 }
 
+/// The wheels differ by less from where they stand on the arc while a stop begins [rad]. Straight ones would by 0.17 or more.
+constexpr double kSteeringOfAStop = 0.1;
+
 TEST(TrackerStops, EveryReasonIsNamedAndEndsAtRest)
 {
   for (const Failure& failure : failures())
@@ -111,13 +115,15 @@ TEST(TrackerStops, BrakesAtMaxAccelerationWithSteeringHeld)
     SCOPED_TRACE(failure.says);
     Rig rig;
     ASSERT_NO_FATAL_FAILURE(drive_into(rig, failure));
-    const PerWheel angles = rig.output.command.motion.angle;
+    const PerWheel angles = rig.output.command.motion.angle, on_the_arc = wheel_angles(rig.robot, Mode::ackermann, 0.2);
+    for (std::size_t i = 0; i < kWheels; ++i) EXPECT_NEAR(angles[i], on_the_arc[i], kSteeringOfAStop);
     double speed = told_speed(rig);
     const double ratio = rig.output.command.motion.speed[0] / speed;
     int steps = 0;
     for (; rig.output.command.mode != Mode::none; ++steps)
     {
       EXPECT_EQ(rig.output.command.motion.angle, angles);
+      EXPECT_NEAR(rig.output.phi, 0.2, kSteeringOfAStop);
       EXPECT_NEAR(rig.output.command.motion.speed[0], ratio * told_speed(rig), 1e-9);
       rig.step();
       EXPECT_LT(told_speed(rig), speed);
