@@ -98,7 +98,7 @@ part_core() { "$root/scripts/test_core.sh" --all; }
 
 [[ $# -gt 0 ]] || set -- "${parts[@]}"
 for part in "$@"; do
-  [[ " ${parts[*]} " == *" $part "* ]] || { usage >&2; exit 2; }
+  [[ $part != *" "* && " ${parts[*]} " == *" $part "* ]] || { usage >&2; exit 2; }
 done
 source "$root/scripts/environment.sh"
 summary=()

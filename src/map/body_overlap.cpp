@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace fourwis
 {
@@ -17,83 +18,52 @@ constexpr double kAccuracy = 1e-6;
 /// Corners of a body that are kept without asking for memory.
 constexpr std::size_t kCorners = 64;
 
-struct Cells
-{
-  double u, v;
-};
-
-/// Least and greatest u of a polygon between two rows' lines.
-struct Span
-{
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-
-  void add(double u)
-  {
-    low = std::min(low, u);
-    high = std::max(high, u);
-  }
-};
-
-/// What of a row of cells the polygon covers.
-Span span_of(const Cells* corners, std::size_t count, double bottom, double top)
-{
-  Span span;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Cells &from = corners[i], &to = corners[i + 1 == count ? 0 : i + 1];
-    if (from.v >= bottom && from.v <= top) span.add(from.u);
-    const double rise = to.v - from.v;
-    for (double line : {bottom, top})
-      if ((from.v < line) != (to.v < line)) span.add(from.u + (line - from.v) / rise * (to.u - from.u));
-  }
-  return span;
-}
-
 /// A body at a pose, in cells.
 class Outline
 {
 public:
-  Outline(const ObstacleMap& map, const ConvexPolygon& body, const Placed& place)
-    : count_(std::min(body.size(), kCorners))
+  Outline(const ObstacleMap& map, const ConvexPolygon& body, const Placed& place) : count_(body.size())
   {
+    if (count_ > kCorners) throw std::length_error("a body has " + std::to_string(count_) + " corners, at most 64");
     for (std::size_t i = 0; i < count_; ++i)
     {
       const Point2& p = body[i];
-      Cells& corner = corners_[i];
+      Point2& corner = corners_[i];
       map.to_cells(place.x + p.x * place.cosine - p.y * place.sine, place.y + p.x * place.sine + p.y * place.cosine,
-                   corner.u, corner.v);
-      across_.add(corner.u);
-      along_.add(corner.v);
+                   corner.x, corner.y);
+      across_.add(corner.x);
+      along_.add(corner.y);
     }
   }
 
   /// False for NaN, which leaves the spans empty.
   bool lies_in(const ObstacleMap& map) const
   {
-    return across_.low <= across_.high && along_.low <= along_.high && across_.low >= -kTouch &&
-           along_.low >= -kTouch && across_.high <= map.width() + kTouch && along_.high <= map.height() + kTouch;
+    return across_.least <= across_.greatest && along_.least <= along_.greatest && across_.least >= -kTouch &&
+           along_.least >= -kTouch && across_.greatest <= map.width() + kTouch &&
+           along_.greatest <= map.height() + kTouch;
   }
 
   /// Calls visit(row, first column, last column) for the cells of the grid that the body overlaps, as long as it returns true.
   template <typename Visit>
   void for_rows(const ObstacleMap& map, Visit visit) const
   {
-    if (!(across_.low <= map.width() && across_.high >= 0.0)) return;
-    const double top = std::min(along_.high, static_cast<double>(map.height()));
+    if (!(across_.least <= map.width() && across_.greatest >= 0.0)) return;
+    const double top = std::min(along_.greatest, static_cast<double>(map.height()));
     const int last_row = static_cast<int>(std::ceil(top - kTouch)) - 1;
-    for (int row = static_cast<int>(std::floor(std::max(0.0, along_.low + kTouch))); row <= last_row; ++row)
+    for (int row = static_cast<int>(std::floor(std::max(0.0, along_.least + kTouch))); row <= last_row; ++row)
     {
-      const Span span = span_of(corners_.data(), count_, row, row + 1.0);
-      const int first = static_cast<int>(std::floor(std::max(0.0, span.low + kTouch)));
-      const int last = static_cast<int>(std::ceil(std::min<double>(map.width(), span.high) - kTouch)) - 1;
+      const Extent covered = extent_between(corners_.data(), count_, row, row + 1.0);
+      const int first = static_cast<int>(std::floor(std::max(0.0, covered.least + kTouch)));
+      const int last = static_cast<int>(std::ceil(std::min<double>(map.width(), covered.greatest) - kTouch)) - 1;
       if (first <= last && !visit(row, first, last)) return;
     }
   }
 
 private:
-  std::array<Cells, kCorners> corners_;
+  std::array<Point2, kCorners> corners_;
   std::size_t count_;
-  Span across_, along_;
+  Extent across_, along_;  ///< all of it, in columns and in rows
 };
 
 }  // namespace

@@ -26,24 +26,47 @@ namespace fourwis
 namespace
 {
 
+/// The start, or where the way out of the obstacles that it overlaps ends.
+Pose start_of(const Robot& robot, const PlanRequest& request, const std::optional<PathPiece>& way_out)
+{
+  if (!way_out) return request.start;
+  return advance(robot, way_out->start, way_out->mode, way_out->phi, way_out->length);
+}
+
 /// Polishing makes trajectories faster by up to about this factor.
 constexpr double kWorthPolishing = 1.01;
 
 /// What a plan is about.
+struct Question
+{
+  const World& world;
+  const PlannerOptions& options;
+  const PlanRequest& request;  ///< in the frame of the world's grid
+  const PlanRequest& asked;    ///< the same in the map frame
+  Interrupt interrupt;
+  ThreadBudget& threads;
+  PlanTrace* trace;
+};
+
+/// The same with what decides which poses are free, from a start that is.
 struct Task
 {
+  Task(const Question& question, const std::optional<PathPiece>& way_out_of_obstacles, const CollisionChecker& checker)
+    : context{question.world, question.options, checker, question.interrupt, question.threads},
+      request(question.request),
+      asked(question.asked),
+      way_out(way_out_of_obstacles),
+      trace(question.trace)
+  {}
+
   PlanContext context;
-  const PlanRequest& request;               ///< in the frame of the world's grid
-  const PlanRequest& asked;                 ///< the same in the map frame
+  const PlanRequest& request;
+  const PlanRequest& asked;
   const std::optional<PathPiece>& way_out;  ///< of obstacles that the body overlaps at the start
   PlanTrace* trace;
 
   /// Where the search begins.
-  Pose start() const
-  {
-    return way_out ? advance(context.robot(), way_out->start, way_out->mode, way_out->phi, way_out->length)
-                   : request.start;
-  }
+  Pose start() const { return start_of(context.robot(), request, way_out); }
 };
 
 bool is_paper(const PlannerOptions& options)
@@ -149,7 +172,7 @@ void choose(const Task& task, const std::vector<Candidate>& candidates, std::vec
   const Candidate& candidate = candidates[is_refined ? order[chosen] : 0];
   result.candidate = candidate.name;
   result.path = candidate.path;
-  result.fallback_parts = candidate.path.switches() + 1;
+  result.fallback_parts = task.request.frontend_only ? 0 : candidate.path.switches() + 1;
   const std::string why = is_refined ? refined[order[chosen]].message : "no candidate was accepted";
   if (is_refined) report(refined[order[chosen]], task.trace, result);
   if (result.status == PlanStatus::succeeded) result.message += remarks(result, task.request.frontend_only ? "" : why);
@@ -204,10 +227,11 @@ void try_to_plan(const Task& task, Effort effort, PlanResult& result)
 }
 
 /// First as the paper does, with two discs for the body. Where they find nothing, by the body itself.
-PlanResult plan_between(const World& world, const PlannerOptions& options, const PlanRequest& request,
-                        const PlanRequest& asked, const std::optional<PathPiece>& way_out, const Interrupt& interrupt,
-                        ThreadBudget& threads, PlanTrace* trace)
+PlanResult plan_between(const Question& question, const std::optional<PathPiece>& way_out)
 {
+  const World& world = question.world;
+  const PlanRequest& request = question.request;
+  const bool paper = is_paper(question.options);
   PlanResult result;
   if (same_pose(request.start, request.goal) && !way_out)
   {
@@ -215,17 +239,17 @@ PlanResult plan_between(const World& world, const PlannerOptions& options, const
     return result;
   }
   const CollisionChecker two_discs(world.obstacles, world.robot);
-  const Task by_discs = {{world, options, two_discs, interrupt, threads}, request, asked, way_out, trace};
+  const Pose start = start_of(world.robot, request, way_out);
   result.status = PlanStatus::no_path;
-  if (is_paper(options) || (two_discs.is_free(by_discs.start()) && two_discs.is_free(request.goal)))
-    try_to_plan(by_discs, is_paper(options) ? Effort::thorough : Effort::quick, result);
+  if (paper || (two_discs.is_free(start) && two_discs.is_free(request.goal)))
+    try_to_plan({question, way_out, two_discs}, paper ? Effort::thorough : Effort::quick, result);
   const bool found_nothing = result.status == PlanStatus::no_path || result.status == PlanStatus::goal_unreachable;
-  if (found_nothing && !is_paper(options))
+  if (found_nothing && !paper)
   {
-    const CollisionChecker body(world.obstacles, world.robot, {by_discs.start(), request.goal});
-    try_to_plan({{world, options, body, interrupt, threads}, request, asked, way_out, trace}, Effort::thorough, result);
+    const CollisionChecker body(world.obstacles, world.robot, {start, request.goal});
+    try_to_plan({question, way_out, body}, Effort::thorough, result);
   }
-  if (result.message.empty()) result.message = search_sentence(world, result, asked);
+  if (result.message.empty()) result.message = search_sentence(world, result, question.asked);
   return result;
 }
 
@@ -240,19 +264,22 @@ PlanResult check_request(const PlanRequest& request)
 }
 
 /// Both poses judged by the body; then the plan.
-PlanResult plan_in(const World& world, const PlannerOptions& options, const PlanRequest& request,
-                   const PlanRequest& asked, const Interrupt& interrupt, ThreadBudget& threads, PlanTrace* trace)
+PlanResult answer(const Question& question)
 {
-  const Endpoint start = endpoint(world, options, request.start), goal = endpoint(world, options, request.goal);
-  const bool may_leave = start.clearance >= -options.referee.start_tolerance && !start.off_map;
+  const World& world = question.world;
+  const PlanRequest &request = question.request, &asked = question.asked;
+  const Endpoint start = endpoint(world, question.options, request.start),
+                 goal = endpoint(world, question.options, request.goal);
+  const bool may_leave = start.clearance >= -question.options.referee.start_tolerance && !start.off_map;
   std::optional<PathPiece> out;
   if (start.clearance < 0.0 && may_leave) out = way_out(world, request.start, request.modes);
   if (start.clearance < 0.0 && !out)
     return refusal(PlanStatus::start_in_collision,
-                   collision_sentence(world, start, "start", asked.start, request.start));
+                   collision_sentence(world, start, "start", asked.start, request.start) +
+                       (may_leave ? "; no motion leads out without getting deeper" : ""));
   if (goal.clearance < 0.0)
     return refusal(PlanStatus::goal_in_collision, collision_sentence(world, goal, "goal", asked.goal, request.goal));
-  PlanResult result = plan_between(world, options, request, asked, out, interrupt, threads, trace);
+  PlanResult result = plan_between(question, out);
   result.overlap = std::max(0.0, -start.clearance);
   if (result.overlap > 0.0 && result.status == PlanStatus::succeeded)
     result.message += sentence("; at the start the body overlaps an obstacle by %.3f m", result.overlap);
@@ -293,13 +320,10 @@ PlanResult Planner::plan(const World& world, const PlanRequest& asked, const Int
   if (result.status == PlanStatus::succeeded)
   {
     ThreadBudget threads(threads_);
+    std::optional<World> seen;
     if (stands_on_unseen_ground(world, request.start))
-    {
-      const World seen(with_free_ground(world.grid, world, request.start), world.robot, options_);
-      result = plan_in(seen, options_, request, asked, watch, threads, trace);
-    }
-    else
-      result = plan_in(world, options_, request, asked, watch, threads, trace);
+      seen.emplace(with_free_ground(world.grid, world, request.start), world.robot, options_);
+    result = answer({seen ? *seen : world, options_, request, asked, watch, threads, trace});
   }
   frame.to_map(result);
   if (trace) frame.to_map(*trace);

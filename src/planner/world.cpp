@@ -28,7 +28,7 @@ World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const Pla
     grid(without_origin(occupancy)),
     obstacles(grid, checked(options).obstacles),
     rectangles(obstacles),
-    referee(grid, options.obstacles, robot_model, options.referee),
+    referee(grid, options.obstacles, robot_model, options.referee, occupancy.origin),
     build_ms(ms_since(begin))
 {
   grid.origin = occupancy.origin;

@@ -187,9 +187,10 @@ private:
     collision_ = i;
     const std::string what =
         hit ? sentence("overlaps the obstacle cell in column %d, row %d", hit->column, hit->row) : "leaves the grid";
+    const Pose told = compose(judgement_.frame, pose);
     judgement_.report.add(
         i, t,
-        sentence("collision: the body at (%.9g m, %.9g m, %.9g rad) %s", pose.x, pose.y, pose.theta, what.c_str()));
+        sentence("collision: the body at (%.9g m, %.9g m, %.9g rad) %s", told.x, told.y, told.theta, what.c_str()));
   }
 
   bool collided_at(std::size_t i) const { return collided_ && collision_ == i; }

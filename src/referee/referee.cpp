@@ -50,17 +50,19 @@ void check(const RefereeOptions& options)
   check_ranges(options);
 }
 
-Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options)
+Referee::Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options,
+                 const Pose& frame)
   : cells_(std::make_shared<referee::ObstacleCells>(grid, checked(rule))),
     robot_(checked(robot)),
-    options_(checked(options))
+    options_(checked(options)),
+    frame_(frame)
 {}
 
 Verdict Referee::judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const
 {
   Verdict verdict;
   referee::Report report;
-  const referee::Judgement judgement{robot_, options_, trajectory, report};
+  const referee::Judgement judgement{robot_, options_, trajectory, report, frame_};
   if (referee::check_form(judgement))
   {
     verdict.terminal_position_error = distance(trajectory.back().pose(), goal);
@@ -82,7 +84,7 @@ std::optional<Violation> Referee::first_violation_from(double t, const Trajector
   referee::Report report;
   RefereeOptions strict = options_;
   strict.start_tolerance = 0.0;
-  referee::check_motion({robot_, strict, rest, report}, *cells_, verdict);
+  referee::check_motion({robot_, strict, rest, report, frame_}, *cells_, verdict);
   const std::vector<Violation> violations = report.sorted();
   if (violations.empty()) return std::nullopt;
   Violation first = violations.front();

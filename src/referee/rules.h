@@ -16,6 +16,7 @@ struct Judgement
   const RefereeOptions& options;
   const Trajectory& trajectory;
   Report& report;
+  const Pose& frame;  ///< of grid and trajectory, in the frame that sentences tell poses in
 
   /// A limit with room for rounding.
   double lenient(double limit) const { return limit * (1.0 + options.limit_tolerance); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace fourwis
 {
@@ -46,41 +45,24 @@ public:
     for (const Point2& p : body) corners_.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
     for (const Point2& p : corners_)
     {
-      low_ = std::min(low_, p.y);
-      high_ = std::max(high_, p.y);
-      left_ = std::min(left_, p.x);
-      right_ = std::max(right_, p.x);
+      across_.add(p.x);
+      along_.add(p.y);
     }
   }
 
-  double low() const { return low_; }
-  double high() const { return high_; }
-  double left() const { return left_; }
-  double right() const { return right_; }
+  double low() const { return along_.least; }
+  double high() const { return along_.greatest; }
+  double left() const { return across_.least; }
+  double right() const { return across_.greatest; }
 
-  /// Least and greatest x of the part between two heights.
-  Run between(double bottom, double top) const
+  Extent between(double bottom, double top) const
   {
-    Run run{kInfinity, -kInfinity};
-    const auto add = [&](double x) {
-      run.begin = std::min(run.begin, x);
-      run.end = std::max(run.end, x);
-    };
-    for (std::size_t i = 0; i < corners_.size(); ++i)
-    {
-      const Point2 &from = corners_[i], &to = corners_[i + 1 == corners_.size() ? 0 : i + 1];
-      if (from.y >= bottom && from.y <= top) add(from.x);
-      for (double line : {bottom, top})
-        if ((from.y < line) != (to.y < line)) add(from.x + (line - from.y) / (to.y - from.y) * (to.x - from.x));
-    }
-    return run;
+    return extent_between(corners_.data(), corners_.size(), bottom, top);
   }
 
 private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   std::vector<Point2> corners_;
-  double low_ = kInfinity, high_ = -kInfinity, left_ = kInfinity, right_ = -kInfinity;
+  Extent across_, along_;
 };
 
 /// A row of cells at one heading, a bit for each cell.
@@ -164,10 +146,10 @@ HeadingSlices::HeadingSlices(const ObstacleMap& map, double spacing, const Conve
       for (int row = first_row; row < end_row; ++row)
       {
         if (rows[static_cast<std::size_t>(row)].empty()) continue;
-        const Run covered = outline.between(row * resolution - y, (row + 1) * resolution - y);
+        const Extent covered = outline.between(row * resolution - y, (row + 1) * resolution - y);
         for (const Run& run : rows[static_cast<std::size_t>(row)])
-          bits.set(std::floor((run.begin - covered.end + kTouch) / spacing) + 1.0,
-                   std::ceil((run.end - covered.begin - kTouch) / spacing) - 1.0);
+          bits.set(std::floor((run.begin - covered.greatest + kTouch) / spacing) + 1.0,
+                   std::ceil((run.end - covered.least - kTouch) / spacing) - 1.0);
       }
     }
     for (int first = 0; first < columns_; first += kWord)

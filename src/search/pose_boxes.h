@@ -71,7 +71,11 @@ private:
     std::vector<Shape> shapes;
   };
 
-  bool is_split(const PoseBox& box) const { return states_.count(key(box)) > 0 && states_.at(key(box)) == kSplit; }
+  bool is_split(const PoseBox& box) const
+  {
+    const auto found = states_.find(key(box));
+    return found != states_.end() && found->second == kSplit;
+  }
   void append_facing(const PoseBox& box, int axis, int side, std::vector<PoseBox>& found) const;
   std::vector<Shape> shapes(const ConvexPolygon& body) const;
   State look(const PoseBox& box) const;

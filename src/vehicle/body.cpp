@@ -75,6 +75,19 @@ ConvexPolygon grown(const ConvexPolygon& polygon, double margin)
   return result;
 }
 
+Extent extent_between(const Point2* corners, std::size_t count, double bottom, double top)
+{
+  Extent extent;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Point2 &from = corners[i], &to = corners[i + 1 == count ? 0 : i + 1];
+    if (from.y >= bottom && from.y <= top) extent.add(from.x);
+    for (double line : {bottom, top})
+      if ((from.y < line) != (to.y < line)) extent.add(from.x + (line - from.y) / (to.y - from.y) * (to.x - from.x));
+  }
+  return extent;
+}
+
 double reach_of(const ConvexPolygon& polygon)
 {
   double reach = 0.0;

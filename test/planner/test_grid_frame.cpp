@@ -132,6 +132,11 @@ TEST(WorldOnATurnedGrid, HoldsATrajectoryOfTheMapFrameAgainstItsObstacles)
   ASSERT_TRUE(found.has_value());
   // The front, half a metre ahead, meets the post at x = 4 m after 2.5 m.
   EXPECT_NEAR(found->t, 2.5 + 0.1, 0.15);
+  double x, y;
+  ASSERT_EQ(std::sscanf(found->what.c_str(), "collision: the body at (%lf m, %lf m", &x, &y), 2) << found->what;
+  const Pose named = relative_to(origin, {x, y, 0.0});
+  EXPECT_NEAR(named.x, 3.5, 0.1) << "the map frame's numbers are told";
+  EXPECT_NEAR(named.y, 2.0, 0.1);
   EXPECT_FALSE(after.first_violation_from(6.0, result.trajectory).has_value());
 }
 

@@ -84,10 +84,11 @@ struct PlanResult
   Trajectory trajectory;  ///< what the referee accepted; empty unless succeeded
   Path path;              ///< the front end's
   PlanMetrics metrics;
-  std::string candidate;   ///< which of the searches found the path: its modes and costs
-  int fallback_parts = 0;  ///< parts between switches that are driven with stops because their optimisation failed
-  double overlap = 0.0;    ///< by how much the sides of the body have to be moved inward to be free at the start [m]
-  bool degraded = false;   ///< whether the deadline cut the work short
+  std::string candidate;  ///< which of the searches found the path: its modes and costs
+  /// Parts between switches, or runs between cusps, that are driven with stops because their optimisation failed.
+  int fallback_parts = 0;
+  double overlap = 0.0;   ///< by how much the sides of the body have to be moved inward to be free at the start [m]
+  bool degraded = false;  ///< whether the deadline cut the work short
 };
 
 }  // namespace fourwis

@@ -28,8 +28,8 @@ struct Robot
   /// The longer side of the body [m].
   double size() const { return std::max(length, width); }
 
-  /// What the lengths of motions are in proportion to: the diameter of the tightest turn of a car, between half the size and the
-  /// size [m].
+  /// What the lengths of motions are in proportion to: 0.85 times the diameter of the tightest Ackermann turn, but at least half
+  /// the size and at most the size [m].
   double motion_size() const
   {
     return std::clamp(0.85 * wheelbase / std::tan(max_steering_angle), 0.5 * size(), size());

@@ -93,8 +93,10 @@ class Referee
 {
 public:
   /// Throws std::invalid_argument naming field, value and what was expected when grid, robot or options are unusable.
-  /// Time linear in the number of cells; the grid is not kept.
-  Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options = {});
+  /// Time linear in the number of cells; the grid is not kept. `frame` is where the frame of grid and trajectories lies in
+  /// the one that sentences tell poses in.
+  Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options = {},
+          const Pose& frame = {});
 
   /// Never throws on a bad trajectory. NaN, no points at all or times that run backward are violations.
   Verdict judge(const Pose& start, const Pose& goal, const Trajectory& trajectory) const;
@@ -107,6 +109,7 @@ private:
   std::shared_ptr<const referee::ObstacleCells> cells_;
   Robot robot_;
   RefereeOptions options_;
+  Pose frame_;
 };
 
 }  // namespace fourwis

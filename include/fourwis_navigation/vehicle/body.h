@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "fourwis_navigation/model/point.h"
@@ -16,6 +19,22 @@ ConvexPolygon body_of(const Robot& robot);
 
 /// The polygon with each side moved outward by `margin` [m], inward where that is negative. Empty where nothing is left.
 ConvexPolygon grown(const ConvexPolygon& polygon, double margin);
+
+/// Least and greatest x of what lies between two heights [m, or whatever the corners are in]; the least is greater where there
+/// is nothing.
+struct Extent
+{
+  double least = std::numeric_limits<double>::infinity(), greatest = -std::numeric_limits<double>::infinity();
+
+  void add(double x)
+  {
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+  }
+};
+
+/// Of the part of a convex polygon of `count` corners with y from `bottom` to `top`.
+Extent extent_between(const Point2* corners, std::size_t count, double bottom, double top);
 
 /// Distance of the farthest corner from C [m].
 double reach_of(const ConvexPolygon& polygon);
