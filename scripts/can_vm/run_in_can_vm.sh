@@ -23,9 +23,10 @@ has_native()
     2>/dev/null
 }
 
+# User Mode Linux 6.1 keeps a process's registers in a buffer that is too small for processors with AMX: its first process dies.
 has_uml()
 {
-  command -v linux.uml modprobe ip >/dev/null &&
+  ! grep -qsw amx_tile /proc/cpuinfo && command -v linux.uml modprobe ip >/dev/null &&
     compgen -G '/usr/lib/uml/modules/*/kernel/drivers/net/can/vcan.ko' >/dev/null
 }
 
@@ -36,7 +37,7 @@ for candidate in ${backend:-native uml} none; do
   [[ $candidate == none ]] || ! "has_$candidate" || break
 done
 if [[ $candidate == none ]]; then
-  echo "CAN untested: this kernel has no CAN, and user-mode-linux, kmod and iproute2 are not all installed" >&2
+  echo "CAN untested: this kernel has no CAN; and user-mode-linux, kmod and iproute2 are not all installed, or the processor has AMX" >&2
   exit 125
 fi
 echo "SocketCAN: $candidate" >&2
