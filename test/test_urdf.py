@@ -2,6 +2,7 @@
 import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree
 
@@ -80,6 +81,41 @@ class FittedUrdf(Urdf):
         model = subprocess.run([sys.executable, ROOT / 'urdf' / 'fit_to_robot.py', robot], check=True,
                                capture_output=True, text=True).stdout
         self.urdf = xml.etree.ElementTree.fromstring(model)
+
+
+class UrdfOfAFootprint(unittest.TestCase):
+    """The polygon's extent, and the wheels where they are in base_link."""
+
+    ROBOT = """
+base_offset: [0.34, -0.1]
+footprint: "[[1.0, 0.3], [-0.2, 0.3], [-0.2, -0.5], [0.9, -5e-1]]"
+"""
+
+    def test_it_is_shown_around_base_link(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as robot:
+            robot.write(self.ROBOT)
+            robot.flush()
+            model = subprocess.run([sys.executable, ROOT / 'urdf' / 'fit_to_robot.py', robot.name], check=True,
+                                   capture_output=True, text=True).stdout
+        urdf = xml.etree.ElementTree.fromstring(model)
+        body = urdf.find("link[@name='base_link']/visual")
+        for seen, expected in zip(numbers(body.find('origin').get('xyz')), (0.4, -0.1, 0.3)):
+            self.assertAlmostEqual(seen, expected)
+        for seen, expected in zip(numbers(body.find('geometry/box').get('size')), (1.2, 0.8, 0.1)):
+            self.assertAlmostEqual(seen, expected)
+        front_left = numbers(urdf.find("joint[@name='front_left_steering_joint']/origin").get('xyz'))
+        self.assertAlmostEqual(front_left[0], 0.68)
+        self.assertAlmostEqual(front_left[1], 0.16)
+
+    def test_what_is_no_polygon_is_refused_by_name(self):
+        for text in ('footprint: 3', 'footprint: [[1, 2, 3]]', 'footprint: [[a, 1]]', 'base_offset: [1]'):
+            with tempfile.NamedTemporaryFile('w', suffix='.yaml') as robot:
+                robot.write(text)
+                robot.flush()
+                done = subprocess.run([sys.executable, ROOT / 'urdf' / 'fit_to_robot.py', robot.name],
+                                      capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1, text)
+            self.assertIn(f"parameter '{text.split(':')[0]}'", done.stderr)
 
 
 if __name__ == '__main__':

@@ -1,6 +1,7 @@
 #include <fstream>
 #include <ios>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +37,26 @@ ParameterValue value_of(const std::string& path, const std::string& key, const Y
   }
 }
 
+/// A list of numbers or of such lists as the text that it is written as: "[[1, 2], [3, 4]]".
+std::string list_text(const std::string& path, const std::string& key, const YAML::Node& node, int depth)
+{
+  if (depth > kMaxDepth)
+    reject_at(path, node.Mark(), "lists nested deeper than " + std::to_string(kMaxDepth) + " levels");
+  if (node.IsScalar())
+  {
+    const ParameterValue value = value_of(path, key, node);
+    const std::optional<double> number = plain_number(value);
+    if (!number)
+      reject_at(path, node.Mark(), "parameter '" + key + "' has " + text_of(value) + " in its list, expected a number");
+    return to_text(*number + 0.0);  // -0 is the same as 0
+  }
+  if (!node.IsSequence())
+    reject_at(path, node.Mark(), "parameter '" + key + "' holds no list of numbers, expected one");
+  std::string text;
+  for (const YAML::Node& member : node) text += (text.empty() ? "" : ", ") + list_text(path, key, member, depth + 1);
+  return '[' + text + ']';
+}
+
 void flatten(const std::string& path, const std::string& prefix, const YAML::Node& map, int depth, ParameterMap& out)
 {
   if (depth > kMaxDepth)
@@ -49,9 +70,12 @@ void flatten(const std::string& path, const std::string& prefix, const YAML::Nod
       flatten(path, key + "/", entry.second, depth + 1, out);
       continue;
     }
-    if (!entry.second.IsScalar())
-      reject_at(path, entry.first.Mark(), "parameter '" + key + "' has no single value, expected a number or a word");
-    if (!out.emplace(key, value_of(path, key, entry.second)).second)
+    if (entry.second.IsNull())
+      reject_at(path, entry.first.Mark(), "parameter '" + key + "' has no value, expected a number, a word or a list");
+    const bool is_list = entry.second.IsSequence();
+    if (!out.emplace(key, is_list ? ParameterValue(list_text(path, key, entry.second, depth))
+                                  : value_of(path, key, entry.second))
+             .second)
       reject_at(path, entry.first.Mark(), "parameter '" + key + "' appears twice, expected once");
   }
 }

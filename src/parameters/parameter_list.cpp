@@ -48,6 +48,13 @@ std::string text_of(const ParameterValue& value)
   return '\'' + std::get<std::string>(value) + '\'';
 }
 
+std::optional<double> plain_number(const ParameterValue& value)
+{
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  if (const std::string* text = std::get_if<std::string>(&value)) return number_in_text(*text);
+  return std::nullopt;
+}
+
 bool flag_in(const std::string& key, const ParameterValue& value)
 {
   const bool* flag = std::get_if<bool>(&value);
@@ -57,10 +64,7 @@ bool flag_in(const std::string& key, const ParameterValue& value)
 
 double number_in(const std::string& key, const ParameterValue& value, const OptionRange& range)
 {
-  std::optional<double> number;
-  if (const double* plain = std::get_if<double>(&value)) number = *plain;
-  // PyYAML takes 2e-2 for a text, and there are people who put numbers into quotes.
-  if (const std::string* text = std::get_if<std::string>(&value)) number = number_in_text(*text);
+  const std::optional<double> number = plain_number(value);
   if (!number) reject_option(key, text_of(value), expectation(range));
   require_in(range, key, *number);
   return *number;

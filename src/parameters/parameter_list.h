@@ -29,6 +29,9 @@ struct Parameter
 /// As it appears in error texts.
 std::string text_of(const ParameterValue& value);
 
+/// A number, also one that is written as a text: PyYAML takes 2e-2 for one, and there are people who put numbers into quotes.
+std::optional<double> plain_number(const ParameterValue& value);
+
 bool flag_in(const std::string& key, const ParameterValue& value);
 double number_in(const std::string& key, const ParameterValue& value, const OptionRange& range);
 

@@ -33,6 +33,19 @@ struct Nudge
   {
     if (seen++ == row) value = std::nextafter(value, std::numeric_limits<double>::infinity());
   }
+
+  template <class Text>
+  void operator()(std::string_view key, Point2& point, const Text&)
+  {
+    (*this)(key, point.x, 0.0, 0.0);
+    (*this)(key, point.y, 0.0, 0.0);
+  }
+
+  template <class Text>
+  void operator()(std::string_view, std::vector<Point2>& polygon, const Text&)
+  {
+    if (seen++ == row) polygon = {{0.0, 0.0}};
+  }
 };
 
 TEST(Fingerprint, is_fnv_1a_of_lines_with_key_and_value)

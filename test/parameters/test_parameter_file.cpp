@@ -57,14 +57,42 @@ TEST_F(ParameterFile, ValuesHaveTheTypeOfTheirYaml)
   EXPECT_EQ(parameters, expected);
 }
 
+/// As rosparam reads its numbers.
+TEST_F(ParameterFile, ListsAreTheTextThatTheyAreWrittenAs)
+{
+  const ParameterMap parameters =
+      read_parameter_file(write("a: [0.34, -0]\nb:\n  - [1, 2e-1]\n  - [0x10, deg(180)]\nc: []\nd: '[1, 2]'\n"));
+  const ParameterMap expected = {{"a", std::string("[0.34, 0]")},
+                                 {"b", std::string("[[1, 0.2], [16, 3.141592653589793]]")},
+                                 {"c", std::string("[]")},
+                                 {"d", std::string("[1, 2]")}};
+  EXPECT_EQ(parameters, expected);
+}
+
+TEST_F(ParameterFile, FootprintAndBaseOffsetMakeTheRobot)
+{
+  write("base_offset: [0.34, 0]\nfootprint: [[1.0, 0.4], [-0.3, 0.4], [-0.3, -0.4], [1.0, -0.4]]\n");
+  const Robot robot = read_robot_file(path_);
+  EXPECT_EQ(robot.base_offset.x, 0.34);
+  ASSERT_EQ(robot.footprint.size(), 4u);
+  EXPECT_EQ(robot.footprint[1].x, -0.3);
+  write("footprint: '[[1.0, 0.4], [-1.0, 0.4], [-1.0, -0.4], [1.0, -0.4]]'\n");  // a text, as move_base takes it, too
+  EXPECT_EQ(read_robot_file(path_).footprint.size(), 4u);
+  write("base_offset: 0.34\n");
+  EXPECT_THROW(read_robot_file(path_), ConfigError);
+}
+
 TEST_F(ParameterFile, UnusableFilesAreRejectedByNameAndLine)
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "holds no parameters"},
       {"just a sentence", "holds no parameters"},
       {"- 1\n- 2\n", "holds no parameters"},
-      {"a: 1\nb: [1, 2]\n", ":2: parameter 'b' has no single value"},
-      {"a: 1\nb:\n", ":2: parameter 'b' has no single value"},
+      {"a: 1\nb: [1, x]\n", ":2: parameter 'b' has 'x' in its list, expected a number"},
+      {"a: 1\nb: [1, true]\n", ":2: parameter 'b' has true in its list, expected a number"},
+      {"a: 1\nb: [1, {c: 2}]\n", ":2: parameter 'b' holds no list of numbers"},
+      {"a: &a [1, *a]\n", "lists nested deeper than 8"},
+      {"a: 1\nb:\n", ":2: parameter 'b' has no value"},
       {"a: 1\nb: 2\na: 3\n", ":3: parameter 'a' appears twice"},
       {"a: 1\nb: {c: [}\n", ":2: not YAML"},
       {"a: 1\n\tb: 2\n", ":2: not YAML"},

@@ -27,10 +27,20 @@ TEST(ParameterServer, the_parameter_servers_structs_are_flattened_and_its_number
   EXPECT_TRUE(to_parameters(XmlRpc::XmlRpcValue()).empty());
 }
 
-TEST(ParameterServer, a_list_on_the_parameter_server_is_refused_by_name)
+TEST(ParameterServer, a_list_is_the_text_that_a_file_has)
 {
   XmlRpc::XmlRpcValue value;
-  value["robot"]["length"][0] = 1.0;
+  value["robot"]["footprint"][0][0] = 1;
+  value["robot"]["footprint"][0][1] = 0.25;
+  value["robot"]["footprint"][1][0] = "5e-1";
+  value["robot"]["footprint"][1][1] = -3.0;
+  EXPECT_EQ(std::get<std::string>(to_parameters(value).at("robot/footprint")), "[[1, 0.25], [5e-1, -3]]");
+}
+
+TEST(ParameterServer, a_list_that_holds_no_numbers_is_refused_by_name)
+{
+  XmlRpc::XmlRpcValue value;
+  value["robot"]["length"][0] = true;
   EXPECT_TRUE(says(error_of<ConfigError>([&] { to_parameters(value); }), "'robot/length'"));
 }
 

@@ -3,18 +3,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include "fourwis_navigation/model/point.h"
 
 namespace fourwis
 {
 
+/// How a point is written: "[0.34, 0]". See option_text.h.
+struct PointText
+{
+  double most;  ///< greatest |x| and |y| [m]
+
+  std::string expected() const;
+  std::string write(const Point2& point) const;
+  bool read(const std::string& text, Point2& point) const;
+};
+
+/// How a polygon is written: "[[0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3], [0.5, -0.3]]", or "[]" for none.
+struct PolygonText
+{
+  double most;  ///< greatest |x| and |y| [m]
+
+  std::string expected() const;
+  std::string write(const std::vector<Point2>& polygon) const;
+  bool read(const std::string& text, std::vector<Point2>& polygon) const;
+};
+
 /// The 4WIS base. Defaults: the paper's Table I. One `config/robot.yaml` holds it for all nodes; the keys there are the
-/// names here.
+/// names here. C is the centre of the four wheels. All that is computed of the robot is in the frame of C, with the axes of
+/// `base_link`; poses of users are those of `base_link` (vehicle/base_link.h).
 struct Robot
 {
-  double length = 1.00;                       ///< l, body length along x [m]
-  double width = 0.62;                        ///< w, body width along y [m]
-  double wheelbase = 0.68;                    ///< L, distance between front and rear steering axes [m]
-  double track_width = 0.52;                  ///< W, distance between left and right steering axes [m]
+  double length = 1.00;             ///< l, body length along x [m]
+  double width = 0.62;              ///< w, body width along y [m]
+  Point2 body_offset = {0.0, 0.0};  ///< centre of that rectangle, from C [m]
+  std::vector<Point2> footprint;    ///< the body as a convex polygon in `base_link`, in place of the rectangle [m]
+  Point2 base_offset = {0.0, 0.0};  ///< C in `base_link` [m]
+  double wheelbase = 0.68;          ///< L, distance between front and rear steering axes [m]
+  double track_width = 0.52;        ///< W, distance between left and right steering axes [m]
   double max_steering_angle = M_PI / 6.0;     ///< phi_max of the equivalent wheel, ackermann and lateral [rad]
   double max_steering_rate = M_PI;            ///< limit of |d phi / dt| of the equivalent wheel [rad/s]
   double max_speed = 1.0;                     ///< v_max of the centre C [m/s]
@@ -25,8 +53,12 @@ struct Robot
   double wheel_max_speed = 2.0;               ///< rolling speed of each wheel [m/s]
   double safety_margin = 0.02;                ///< r_safe, added to the two discs that cover the body [m]
 
-  /// The longer side of the body [m].
-  double size() const { return std::max(length, width); }
+  /// Of the rectangle along the axes that the body fills: the rectangle itself, or that around the footprint.
+  double body_length() const;  ///< [m]
+  double body_width() const;   ///< [m]
+
+  /// The longer side of that [m].
+  double size() const { return std::max(body_length(), body_width()); }
 
   /// What the lengths of motions are in proportion to: 0.85 times the diameter of the tightest Ackermann turn, but at least half
   /// the size and at most the size [m].
@@ -41,6 +73,9 @@ struct Robot
   {
     row("length", o.length, 0.05, 20.0, "m");
     row("width", o.width, 0.05, 20.0, "m");
+    row("body_offset", o.body_offset, PointText{20.0});
+    row("footprint", o.footprint, PolygonText{20.0});
+    row("base_offset", o.base_offset, PointText{20.0});
     row("wheelbase", o.wheelbase, 0.01, 20.0, "m");
     row("track_width", o.track_width, 0.01, 20.0, "m");
     row("max_steering_angle", o.max_steering_angle, 0.01, M_PI * 80 / 180, "rad");
@@ -55,13 +90,14 @@ struct Robot
   }
 };
 
-/// Throws std::invalid_argument, naming key, value and range, unless all is in range and the wheels lie within the body.
+/// Throws std::invalid_argument, naming key, value and range, unless all is in range, the footprint is convex and the wheels lie
+/// within the body.
 void check(const Robot& robot);
 
 /// Wheel order everywhere: front-left, front-right, rear-left, rear-right.
 inline constexpr int kWheels = 4;
 
-/// Position of a wheel's steering axis in the body frame [m].
+/// Position of a wheel's steering axis in the frame of C [m].
 struct WheelPosition
 {
   double x, y;
