@@ -6,6 +6,7 @@
 #include "fourwis_navigation/planner/planner.h"
 #include "fourwis_navigation/sim/base_simulator.h"
 #include "fourwis_navigation/track/tracker.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 
 using namespace fourwis;
 
@@ -30,8 +31,9 @@ int main()
   const TrackOptions tracking;
   Tracker tracker(robot, tracking);
   BaseSimulator base(robot, SimulatorOptions());  // a robot of yours: send the commands to its wheels
-  base.place(start);
-  const std::string refusal = tracker.accept(plan.trajectory);
+  const BaseLink base_link(robot);  // plans are those of base_link; the tracker drives C, the centre of the wheels
+  base.place(base_link.to_centre(start));
+  const std::string refusal = tracker.accept(base_link.to_centre(plan.trajectory));
   if (!refusal.empty())
   {
     std::printf("refused: %s\n", refusal.c_str());
@@ -53,6 +55,6 @@ int main()
 
   std::printf("%s: after %.2f s, planned %.2f s, %.2f mm from the goal\n",
               output.state == TrackState::arrived ? "arrived" : "failed", base.time(), plan.metrics.arrival_time,
-              1000.0 * distance(base.pose(), goal));
+              1000.0 * distance(base_link.from_centre(base.pose()), goal));
   return output.state == TrackState::arrived ? 0 : 1;
 }

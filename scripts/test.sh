@@ -13,7 +13,7 @@ source "$root/scripts/environment.sh"
 export ROS_HOME=$build/ros_home
 rm -rf "$build/test_results"
 cd "$build"
-"$root/scripts/can_vm/run_in_can_vm.sh" --which || true  # the test socketcan fails then
+"$root/scripts/can_vm/run_in_can_vm.sh" --which || true  # the tests socketcan and vcan_drive are skipped then
 ctest --output-on-failure --no-tests=error --timeout 300 --parallel "$(nproc)"
 
 "$root/scripts/test_core.sh" -DFOURWIS_WERROR=ON

@@ -14,7 +14,7 @@ constexpr double kLegendHeight = 76.0;
 
 }  // namespace
 
-Page::Page(const Extent& shown) : extent(shown)
+Page::Page(const ShownArea& shown) : extent(shown)
 {
   const double metres_x = std::max(extent.max_x - extent.min_x, 1e-6);
   const double metres_y = std::max(extent.max_y - extent.min_y, 1e-6);

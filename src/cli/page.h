@@ -17,7 +17,7 @@ struct Point
 };
 
 /// The part of the map frame that a picture shows [m].
-struct Extent
+struct ShownArea
 {
   double min_x = std::numeric_limits<double>::max(), min_y = std::numeric_limits<double>::max();
   double max_x = std::numeric_limits<double>::lowest(), max_y = std::numeric_limits<double>::lowest();
@@ -34,14 +34,14 @@ struct Extent
 /// Where the map lies on the page: pixels, x to the right, y down, map above, legend below.
 struct Page
 {
-  explicit Page(const Extent& extent);
+  explicit Page(const ShownArea& extent);
 
   Point to_page(const Point& map) const
   {
     return {left + (map.x - extent.min_x) * scale, (extent.max_y - map.y) * scale};
   }
 
-  Extent extent;
+  ShownArea extent;
   double scale = 1.0;  ///< pixels a metre
   double left = 0.0;   ///< where the map begins, to the left of which there is a margin
   double map_width = 0.0, map_height = 0.0;

@@ -9,6 +9,8 @@
 #include "cell_rectangles.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "fourwis_navigation/model/mode_colour.h"
+#include "fourwis_navigation/vehicle/base_link.h"
+#include "fourwis_navigation/vehicle/body.h"
 #include "legend.h"
 #include "motion_samples.h"
 #include "page.h"
@@ -28,16 +30,18 @@ Point corner(const OccupancyGrid& grid, int column, int row)
   return at_pose(grid.origin, column * grid.resolution, row * grid.resolution);
 }
 
+/// Of the body with C, the centre of the wheels, at a pose.
 std::vector<Point> body_corners(const Robot& robot, const Pose& pose)
 {
-  const double x = robot.length / 2.0, y = robot.width / 2.0;
-  return {at_pose(pose, x, y), at_pose(pose, -x, y), at_pose(pose, -x, -y), at_pose(pose, x, -y)};
+  std::vector<Point> corners;
+  for (const Point2& corner : body_of(robot)) corners.push_back(at_pose(pose, corner.x, corner.y));
+  return corners;
 }
 
 /// The known part of the map and the whole trajectory.
-Extent extent_of(const PlanPicture& picture, const std::vector<ModeRun>& runs)
+ShownArea extent_of(const PlanPicture& picture, const std::vector<ModeRun>& runs)
 {
-  Extent extent;
+  ShownArea extent;
   const CellRectangle known = known_block(picture.grid);
   for (const int column : {known.left, known.right})
     for (const int row : {known.bottom, known.top}) extent.include(corner(picture.grid, column, row));
@@ -78,7 +82,7 @@ void write_map(std::ostream& out, const Page& page, const PlanPicture& picture)
 /// The regions of one disc as one shape, so that they do not darken where they overlap, each with its outline.
 void write_regions(std::ostream& out, const Page& page, const PlanPicture& picture, std::size_t disc)
 {
-  const Extent& shown = page.extent;
+  const ShownArea& shown = page.extent;
   const Point2 middle{(shown.min_x + shown.max_x) / 2.0, (shown.min_y + shown.max_y) / 2.0};
   const double reach = std::max(shown.max_x - shown.min_x, shown.max_y - shown.min_y);
   out << "<path class=\"corridor disc" << disc << "\" d=\"";
@@ -119,7 +123,7 @@ void write_iterations(std::ostream& out, const Page& page, const PlanPicture& pi
 void write_footprints(std::ostream& out, const Page& page, const Robot& robot, const ModeRun& run)
 {
   out << "<path class=\"footprints " << to_string(run.mode) << "\" d=\"";
-  for (const Pose& pose : thin_out(run.poses, kFootprintSpacing * robot.length, kFootprintTurn))
+  for (const Pose& pose : thin_out(run.poses, kFootprintSpacing * robot.body_length(), kFootprintTurn))
     out << polyline(page, body_corners(robot, pose), true);
   const std::string colour = svg_colour(run.mode);
   out << "\" fill=\"" << colour << "\" fill-opacity=\"0.10\" stroke=\"" << colour
@@ -146,7 +150,7 @@ void write_switch(std::ostream& out, const Page& page, const Pose& pose)
 void write_marker(std::ostream& out, const Page& page, const Robot& robot, const Pose& pose, const char* name,
                   const char* colour)
 {
-  const double a = std::max(0.36 * robot.length, 7.0 / page.scale), b = 0.6 * a;
+  const double a = std::max(0.36 * robot.body_length(), 7.0 / page.scale), b = 0.6 * a;
   const std::vector<Point> arrow = {at_pose(pose, a, 0.0), at_pose(pose, -a, b), at_pose(pose, -0.45 * a, 0.0),
                                     at_pose(pose, -a, -b)};
   const std::string body = polyline(page, body_corners(robot, pose), true);
@@ -161,8 +165,9 @@ void write_marker(std::ostream& out, const Page& page, const Robot& robot, const
 void write_plan(std::ostream& out, const Page& page, const PlanPicture& picture, const std::vector<ModeRun>& runs)
 {
   for (const ModeRun& run : runs) write_footprints(out, page, picture.robot, run);
-  write_marker(out, page, picture.robot, picture.start, "start", kStartColour);
-  write_marker(out, page, picture.robot, picture.goal, "goal", kGoalColour);
+  const BaseLink base_link(picture.robot);
+  write_marker(out, page, picture.robot, base_link.to_centre(picture.start), "start", kStartColour);
+  write_marker(out, page, picture.robot, base_link.to_centre(picture.goal), "goal", kGoalColour);
   for (const ModeRun& run : runs) write_centre_line(out, page, run);
   for (std::size_t i = 1; i < runs.size(); ++i) write_switch(out, page, runs[i].poses.front());
 }
@@ -180,7 +185,8 @@ std::string svg_colour(Mode mode)
 void write_svg(std::ostream& out, const PlanPicture& picture)
 {
   const double finest = picture.grid.resolution / 2.0;
-  const std::vector<ModeRun> runs = sample_motion(picture.robot, picture.result.trajectory, finest);
+  const std::vector<ModeRun> runs =
+      sample_motion(picture.robot, BaseLink(picture.robot).to_centre(picture.result.trajectory), finest);
   const Page page(extent_of(picture, runs));
   const std::string width = pixels(page.width), height = pixels(page.height);
 

@@ -24,7 +24,7 @@ struct PlanPicture
   const OccupancyGrid& grid;
   ObstacleRule rule;  ///< which cells are drawn as occupied
   const Robot& robot;
-  Pose start, goal;  ///< map frame
+  Pose start, goal;  ///< of base_link, map frame
   const PlanResult& result;
   std::vector<Corridor> corridors = {};     ///< drawn lightly below the plan
   std::vector<Trajectory> iterations = {};  ///< what the plan was made of: thin lines, the later the darker

@@ -55,8 +55,8 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot)
     needed_(discs_),
     with_margin_(grown(body_of(robot), std::max(robot.safety_margin, kLeastMargin))),
     stride_(std::max(kLeastStride, robot.safety_margin)),
-    reach_(discs_.offset),
-    least_clearance_(clearance_between_checks(discs_.radius, discs_.offset, least_turning_radius(robot), stride_))
+    reach_(discs_.reach()),
+    least_clearance_(clearance_between_checks(discs_.radius, discs_.reach(), least_turning_radius(robot), stride_))
 {}
 
 CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, const std::vector<Pose>& tight)
@@ -74,12 +74,13 @@ CollisionChecker::CollisionChecker(const ObstacleMap& map, const Robot& robot, c
   }
   goes_by_body_ = true;
   // Two discs that cover the body with its margin: they only save the look at the body.
-  discs_.radius = std::hypot(robot.length / 4.0 + usual, robot.width / 2.0 + usual);
+  const BodyBox box = box_of(robot);
+  discs_.radius = std::hypot(box.length / 4.0 + usual, box.width / 2.0 + usual);
   needed_ = inscribed_discs(robot, least);
   for (double by : kRooms) larger_.push_back({by * robot.size(), grown(with_margin_, by * robot.size())});
   stride_ = std::max(kLeastStride, least);
   reach_ = std::max(reach_, reach_of(with_margin_));
-  least_clearance_ = clearance_between_checks(needed_.radius, needed_.offset, least_turning_radius(robot), stride_);
+  least_clearance_ = clearance_between_checks(needed_.radius, needed_.reach(), least_turning_radius(robot), stride_);
 }
 
 const ConvexPolygon& CollisionChecker::with_margin_at(double x, double y) const
@@ -115,6 +116,8 @@ bool CollisionChecker::are_clear(const TwoDiscs& discs, double x, double y, doub
                                  double& clearance) const
 {
   const double ox = discs.offset * cosine, oy = discs.offset * sine;
+  x += discs.middle.x * cosine - discs.middle.y * sine;
+  y += discs.middle.x * sine + discs.middle.y * cosine;
   return map_.is_clear(x + ox, y + oy, discs.radius, clearance) &&
          map_.is_clear(x - ox, y - oy, discs.radius, clearance);
 }

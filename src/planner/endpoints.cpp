@@ -6,6 +6,7 @@
 
 #include "fourwis_navigation/map/body_overlap.h"
 #include "fourwis_navigation/model/sentence.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 
 namespace fourwis
 {
@@ -13,7 +14,7 @@ namespace
 {
 
 /// Headings at which a free pose is looked for.
-constexpr int kHeadings = 16;
+constexpr int kHeadings = 32;
 /// How far away it is looked for, in sizes of the robot, and the steps to there.
 constexpr double kFarthest = 10.0;
 constexpr int kRings = 100;
@@ -23,11 +24,19 @@ bool is_known(std::int8_t cell)
   return cell >= 0 && cell <= 100;
 }
 
-/// Distance of the nearest pose at which the body is clear, nothing where there is none near [m].
-std::optional<double> nearest_free(const World& world, const Pose& asked)
+/// How far base_link has to be moved, and by what angle turned, to be where the body is clear.
+struct Move
+{
+  double distance, turn;  ///< [m], [rad]
+};
+
+/// The shortest, nothing where the body is clear nowhere near.
+std::optional<Move> nearest_free(const World& world, const Pose& asked_centre)
 {
   const ConvexPolygon body = body_of(world.robot);
+  const BaseLink base_link(world.robot);
   const OccupancyGrid& grid = world.grid;
+  const Pose asked = base_link.from_centre(asked_centre);
   const Pose pose = {std::clamp(asked.x, 0.0, grid.width * grid.resolution),
                      std::clamp(asked.y, 0.0, grid.height * grid.resolution), asked.theta};
   const double step = kFarthest * world.robot.size() / kRings;
@@ -38,10 +47,11 @@ std::optional<double> nearest_free(const World& world, const Pose& asked)
     for (int i = 0; i < count; ++i)
       for (int k = 0; k < kHeadings; ++k)
       {
-        const double direction = 2.0 * M_PI * i / count, turn = M_PI * k / kHeadings;
+        const double direction = 2.0 * M_PI * i / count, turn = 2.0 * M_PI * k / kHeadings;
         const Pose there = {pose.x + radius * std::cos(direction), pose.y + radius * std::sin(direction),
                             pose.theta + turn};
-        if (is_clear(world.obstacles, body, placed(there))) return distance(there, asked);
+        if (is_clear(world.obstacles, body, placed(base_link.to_centre(there))))
+          return Move{distance(there, asked), wrap_angle(turn)};
       }
   }
   return std::nullopt;
@@ -49,10 +59,11 @@ std::optional<double> nearest_free(const World& world, const Pose& asked)
 
 std::string nearest_sentence(const World& world, const Pose& pose)
 {
-  if (const std::optional<double> distance = nearest_free(world, pose))
-    return sentence("the nearest free pose is %.2f m away", *distance);
-  return sentence("a body of %.2f x %.2f m fits nowhere within %.1f m", world.robot.length, world.robot.width,
-                  kFarthest * world.robot.size());
+  if (const std::optional<Move> move = nearest_free(world, pose))
+    return sentence("the nearest free pose is %.2f m away", move->distance) +
+           (move->turn == 0.0 ? "" : sentence(", turned by %.0f deg", move->turn * 180.0 / M_PI));
+  return sentence("a body of %.2f x %.2f m fits nowhere within %.1f m", world.robot.body_length(),
+                  world.robot.body_width(), kFarthest * world.robot.size());
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ void GridFrame::to_map(Trajectory& trajectory) const
 void GridFrame::to_map(PlanResult& result) const
 {
   to_map(result.trajectory);
-  for (PathPiece& piece : result.path.pieces) piece.start = to_map(piece.start);
-  result.path.goal = to_map(result.path.goal);
+  for (PathPiece& piece : result.path.pieces) piece.start = compose(origin_, piece.start);
+  result.path.goal = compose(origin_, result.path.goal);
 }
 
 void GridFrame::to_map(PlanTrace& trace) const

@@ -36,7 +36,7 @@ std::string search_sentence(const World& world, const PlanResult& result, const 
                       asked.start.y, asked.start.theta, asked.goal.x, asked.goal.y, asked.goal.theta) +
              (may_turn(asked.start, asked.goal, asked.modes)
                   ? sentence("no way is wide enough for a body of %.2f x %.2f m with a margin of %.3f m on each side",
-                             world.robot.length, world.robot.width, world.robot.safety_margin)
+                             world.robot.body_length(), world.robot.body_width(), world.robot.safety_margin)
                   : "parallel motion alone does not turn");
     case PlanStatus::timeout: return sentence("planner_patience was over after %d expansions", expansions);
     case PlanStatus::cancelled: return sentence("cancelled after %d expansions", expansions);

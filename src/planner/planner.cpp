@@ -11,6 +11,7 @@
 #include "candidates.h"
 #include "endpoints.h"
 #include "fourwis_navigation/model/option_check.h"
+#include "fourwis_navigation/vehicle/body.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_limits.h"
 #include "grid_frame.h"
@@ -254,8 +255,12 @@ PlanResult plan_between(const Question& question, const std::optional<PathPiece>
 }
 
 /// What is wrong with a request whatever the map is.
-PlanResult check_request(const PlanRequest& request)
+PlanResult check_request(const Robot& robot, const PlannerOptions& options, const PlanRequest& request)
 {
+  const Point2 middle = box_of(robot).middle;
+  if (is_paper(options) && !request.frontend_only && (middle.x != 0.0 || middle.y != 0.0))
+    return refusal(PlanStatus::invalid_input,
+                   "the paper's formulation takes a body whose middle is the centre of the wheels");
   if (!is_finite(request.start)) return refusal(PlanStatus::invalid_input, "the start pose is not finite");
   if (!is_finite(request.goal)) return refusal(PlanStatus::invalid_input, "the goal pose is not finite");
   if (request.modes.empty())
@@ -313,10 +318,10 @@ PlanResult Planner::plan(const World& world, const PlanRequest& asked, const Int
 {
   const PlanClock::time_point begin = PlanClock::now();
   const Interrupt watch = interrupt.or_after(options_.planner_patience);
-  const GridFrame frame(world.grid.origin);
+  const GridFrame frame(world.grid.origin, world.robot);
   PlanRequest request = frame.to_grid(asked);
   request.modes = asked.modes & DriveLimits(world.robot).possible();
-  PlanResult result = check_request(request);
+  PlanResult result = check_request(world.robot, options_, request);
   if (result.status == PlanStatus::succeeded)
   {
     ThreadBudget threads(threads_);

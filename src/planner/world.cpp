@@ -36,7 +36,7 @@ World::World(const OccupancyGrid& occupancy, const Robot& robot_model, const Pla
 
 std::optional<Violation> World::first_violation_from(double t, const Trajectory& accepted) const
 {
-  return referee.first_violation_from(t, GridFrame(grid.origin).to_grid(accepted));
+  return referee.first_violation_from(t, GridFrame(grid.origin, robot).to_grid(accepted));
 }
 
 }  // namespace fourwis

@@ -6,6 +6,7 @@
 
 #include "fourwis_navigation/model/sentence.h"
 #include "rollout.h"
+#include "shape.h"
 
 namespace fourwis::referee
 {
@@ -33,9 +34,9 @@ public:
       cells_(cells),
       verdict_(verdict),
       step_(judgement.options.collision_step),
-      half_length_(judgement.robot.length / 2),
-      half_width_(judgement.robot.width / 2),
-      radius_(std::hypot(half_length_, half_width_)),
+      body_(body_shape(judgement.robot)),
+      touching_(inset(body_, kTouch)),
+      radius_(greatest_radius(body_)),
       greatest_depth_(judgement.options.start_tolerance),
       least_(INFINITY)
   {}
@@ -139,10 +140,10 @@ private:
   void look(std::size_t i, double t, double x, double y, double theta, double cosine, double sine)
   {
     if (++looks_ > kMostLooks) exhausted_ = true;
-    const Box touching = cells_.box(x, y, cosine, sine, half_length_ - kTouch, half_width_ - kTouch);
-    const bool inside = cells_.contains(touching);
+    cells_.place(touching_, x, y, cosine, sine, outline_);
+    const bool inside = cells_.contains(outline_);
     const bool in_doubt = safe_motion_ <= 0.0;
-    const std::optional<Cell> hit = inside && in_doubt ? cells_.overlapped(touching) : std::nullopt;
+    const std::optional<Cell> hit = inside && in_doubt ? cells_.overlapped(outline_) : std::nullopt;
     double clearance = 0.0;
     if (inside && hit && is_leaving(x, y, cosine, sine))
       clearance = 0.0;
@@ -151,9 +152,10 @@ private:
     else if (in_doubt)
       greatest_depth_ = 0.0;
     if (inside && !hit)
-      clearance = cells_.clearance(cells_.box(x, y, cosine, sine, half_length_, half_width_),
-                                   (least_ + look_ahead_) / cells_.resolution()) *
-                  cells_.resolution();
+    {
+      cells_.place(body_, x, y, cosine, sine, outline_);
+      clearance = cells_.clearance(outline_, (least_ + look_ahead_) / cells_.resolution()) * cells_.resolution();
+    }
     least_ = std::min(least_, clearance);
     look_ahead_ = std::clamp(2.0 * (clearance - least_), kLeastLookAhead, kMostLookAhead);
     safe_motion_ = clearance;
@@ -167,12 +169,13 @@ private:
   bool is_leaving(double x, double y, double cosine, double sine)
   {
     if (greatest_depth_ <= 0.0) return false;
-    double free = std::min(half_length_, half_width_), deep = 0.0;
+    double free = radius_, deep = 0.0;
     while (free - deep > kTouch)
     {
       const double depth = (free + deep) / 2.0;
-      const Box box = cells_.box(x, y, cosine, sine, half_length_ - depth, half_width_ - depth);
-      (cells_.overlapped(box) ? deep : free) = depth;
+      const Shape smaller = inset(body_, depth);
+      if (!smaller.empty()) cells_.place(smaller, x, y, cosine, sine, outline_);
+      (!smaller.empty() && cells_.overlapped(outline_) ? deep : free) = depth;
     }
     if (free > greatest_depth_ + kDepthRounding) return false;
     greatest_depth_ = std::min(greatest_depth_, free);
@@ -187,7 +190,8 @@ private:
     collision_ = i;
     const std::string what =
         hit ? sentence("overlaps the obstacle cell in column %d, row %d", hit->column, hit->row) : "leaves the grid";
-    const Pose told = compose(judgement_.frame, pose);
+    const Point2& base = judgement_.robot.base_offset;
+    const Pose told = compose(compose(judgement_.frame, pose), {-base.x, -base.y, 0.0});
     judgement_.report.add(
         i, t,
         sentence("collision: the body at (%.9g m, %.9g m, %.9g rad) %s", told.x, told.y, told.theta, what.c_str()));
@@ -198,9 +202,12 @@ private:
   const Judgement& judgement_;
   const ObstacleCells& cells_;
   Verdict& verdict_;
-  const double step_, half_length_, half_width_, radius_;
-  double greatest_depth_;  ///< that the body may have; 0 as soon as it has been free [m]
-  double least_;           ///< clearance so far [m]
+  const double step_;
+  const Shape body_, touching_;  ///< the body, and what of it must be free
+  const double radius_;          ///< of the body around C [m]
+  Outline outline_{};            ///< the one that is looked at
+  double greatest_depth_;        ///< that the body may have; 0 as soon as it has been free [m]
+  double least_;                 ///< clearance so far [m]
   double look_ahead_ = kMostLookAhead;
   double safe_motion_ = 0.0;          ///< the body cannot reach an obstacle within this motion [m]
   double motion_to_next_look_ = 0.0;  ///< the grid is looked at after this motion [m]; may exceed safe_motion_

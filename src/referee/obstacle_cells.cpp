@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "fourwis_navigation/model/sentence.h"
 
@@ -35,56 +34,33 @@ std::array<std::uint64_t, 256> obstacle_table(const ObstacleRule& rule)
   return table;
 }
 
-/// Least u among the points of the box at height dv above its centre, relative to the centre. The left side is convex:
-/// two edges that meet in the leftmost corner. The corners bound what rounding can do to a nearly level edge.
-struct LeftSide
-{
-  explicit LeftSide(const Box& box)
-    : corner_u(-box.reach_u()),
-      corner_v(box.b * box.c - box.a * box.s),
-      top_u(box.a * box.c - box.b * box.s),
-      upper_slope(box.c / box.s),
-      lower_slope(box.s / box.c)
-  {}
-
-  double at(double dv) const
-  {
-    if (dv > corner_v) return std::min(corner_u + (dv - corner_v) * upper_slope, top_u);
-    if (dv < corner_v) return std::min(corner_u + (corner_v - dv) * lower_slope, -top_u);
-    return corner_u;
-  }
-
-  /// Least u among the points of the box between two heights.
-  double within(double low, double high) const { return at(std::min(std::max(corner_v, low), high)); }
-
-  double corner_u, corner_v, top_u, upper_slope, lower_slope;
-};
-
 double squared(double x)
 {
   return x * x;
 }
 
-/// Squared distance of a point from a rectangle around the origin, half sides a and b.
-double squared_distance(double x, double y, double a, double b)
+/// Squared distance of a point from the segment between two others.
+double squared_distance(const Point2& p, const Point2& from, const Point2& to)
 {
-  return squared(std::max(std::abs(x) - a, 0.0)) + squared(std::max(std::abs(y) - b, 0.0));
+  const double dx = to.x - from.x, dy = to.y - from.y, length = squared(dx) + squared(dy);
+  const double along = (p.x - from.x) * dx + (p.y - from.y) * dy;
+  const double share = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  return squared(p.x - from.x - share * dx) + squared(p.y - from.y - share * dy);
 }
 
-/// Distance of two rectangles that do not overlap. One is the unit square at (du, dv) from the centre of the other. The
-/// distance is that of a corner of one of them.
-double distance_to_cell(const Box& box, double du, double dv)
+/// Distance of a polygon from the unit square around (u, v), which it does not overlap. It is that of a corner of one of them.
+double distance_to_cell(const Outline& outline, double u, double v)
 {
   double best = INFINITY;
-  for (const double su : {-1.0, 1.0})
-    for (const double sv : {-1.0, 1.0})
-    {
-      const double u = du + 0.5 * su, v = dv + 0.5 * sv;
-      best = std::min(best, squared_distance(box.c * u + box.s * v, box.c * v - box.s * u, box.a, box.b));
-      const double along = su * box.a, across = sv * box.b;
-      best = std::min(
-          best, squared_distance(box.c * along - box.s * across - du, box.s * along + box.c * across - dv, 0.5, 0.5));
-    }
+  const std::size_t count = outline.corners.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Point2 &corner = outline.corners[i], &next = outline.corners[i + 1 == count ? 0 : i + 1];
+    best = std::min(best, squared(std::max(std::abs(corner.x - u) - 0.5, 0.0)) +
+                              squared(std::max(std::abs(corner.y - v) - 0.5, 0.0)));
+    for (const double su : {-0.5, 0.5})
+      for (const double sv : {-0.5, 0.5}) best = std::min(best, squared_distance({u + su, v + sv}, corner, next));
+  }
   return std::sqrt(best);
 }
 
@@ -113,87 +89,109 @@ ObstacleCells::ObstacleCells(const OccupancyGrid& grid, const ObstacleRule& rule
     }
 }
 
-Box ObstacleCells::box(double x, double y, double cosine, double sine, double half_length, double half_width) const
+void Outline::columns_between(double low, double high, double& least, double& greatest) const
+{
+  least = INFINITY;
+  greatest = -INFINITY;
+  const auto add = [&](double u) {
+    least = std::min(least, u);
+    greatest = std::max(greatest, u);
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Point2 &from = corners[i], &to = corners[i + 1 == corners.size() ? 0 : i + 1];
+    if (from.y >= low && from.y <= high) add(from.x);
+    // Between the corners, whatever rounding does to a nearly level side.
+    for (const double line : {low, high})
+      if ((from.y < line) != (to.y < line))
+        add(from.x + std::clamp((line - from.y) / (to.y - from.y), 0.0, 1.0) * (to.x - from.x));
+  }
+}
+
+void ObstacleCells::place(const Shape& shape, double x, double y, double cosine, double sine, Outline& outline) const
 {
   const double dx = (x - origin_x_) / resolution_, dy = (y - origin_y_) / resolution_;
-  Box box{origin_cos_ * dx + origin_sin_ * dy,
-          origin_cos_ * dy - origin_sin_ * dx,
-          origin_cos_ * cosine + origin_sin_ * sine,
-          origin_cos_ * sine - origin_sin_ * cosine,
-          half_length / resolution_,
-          half_width / resolution_};
-  // A rectangle is the same turned by 180 degrees, and by 90 degrees with its sides swapped.
-  if (box.c < 0.0) box.c = -box.c, box.s = -box.s;
-  if (box.s < 0.0)
+  const double u = origin_cos_ * dx + origin_sin_ * dy, v = origin_cos_ * dy - origin_sin_ * dx;
+  const double c = origin_cos_ * cosine + origin_sin_ * sine, s = origin_cos_ * sine - origin_sin_ * cosine;
+  const std::size_t count = shape.corners.size();
+  outline.corners.resize(count);
+  outline.normals.resize(count);
+  outline.left = outline.bottom = INFINITY;
+  outline.right = outline.top = -INFINITY;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    std::swap(box.c, box.s);
-    box.c = -box.c;
-    std::swap(box.a, box.b);
+    const Point2 &p = shape.corners[i], &n = shape.normals[i];
+    const Point2 corner = {u + (c * p.x - s * p.y) / resolution_, v + (s * p.x + c * p.y) / resolution_};
+    outline.corners[i] = corner;
+    outline.normals[i] = {c * n.x - s * n.y, s * n.x + c * n.y};
+    outline.left = std::min(outline.left, corner.x);
+    outline.right = std::max(outline.right, corner.x);
+    if (corner.y < outline.bottom) outline.bottom = corner.y, outline.bottom_u = corner.x;
+    if (corner.y > outline.top) outline.top = corner.y, outline.top_u = corner.x;
   }
-  return box;
 }
 
-bool ObstacleCells::contains(const Box& box) const
+bool ObstacleCells::contains(const Outline& outline) const
 {
-  const double reach_u = box.reach_u(), reach_v = box.reach_v();
-  return box.u - reach_u >= 0.0 && box.u + reach_u <= width_ && box.v - reach_v >= 0.0 && box.v + reach_v <= height_;
+  return outline.left >= 0.0 && outline.right <= width_ && outline.bottom >= 0.0 && outline.top <= height_;
 }
 
-std::optional<Cell> ObstacleCells::overlapped(const Box& box) const
+std::optional<Cell> ObstacleCells::overlapped(const Outline& outline) const
 {
-  // Where the box crosses the strip of a row it covers an interval of columns: the strip's part of the box is convex.
-  const LeftSide left(box);
-  const double reach = box.reach_v();
-  const int last = std::min(height_, static_cast<int>(std::ceil(box.v + reach))) - 1;
-  for (int row = static_cast<int>(box.v - reach); row <= last; ++row)
+  // Where the outline crosses the strip of a row it covers an interval of columns: the strip's part of it is convex.
+  const int last = std::min(height_, static_cast<int>(std::ceil(outline.top))) - 1;
+  for (int row = static_cast<int>(outline.bottom); row <= last; ++row)
   {
-    const double low = std::max(row - box.v, -reach), high = std::min(row + 1 - box.v, reach);
-    const int from = static_cast<int>(std::max(0.0, box.u + left.within(low, high)));
-    const int to = static_cast<int>(std::ceil(box.u - left.within(-high, -low))) - 1;
+    double least, greatest;
+    outline.columns_between(row, row + 1.0, least, greatest);
+    const int from = static_cast<int>(std::max(0.0, least));
+    const int to = static_cast<int>(std::ceil(greatest)) - 1;
     const int column = next(row, from, std::min(to, width_ - 1));
     if (column >= 0) return Cell{column, row};
   }
   return std::nullopt;
 }
 
-double ObstacleCells::clearance(const Box& box, double cap) const
+double ObstacleCells::clearance(const Outline& outline, double cap) const
 {
-  const LeftSide left(box);
-  const double reach_u = box.reach_u(), reach_v = box.reach_v();
-  double best = std::min({cap, box.u - reach_u, width_ - box.u - reach_u, box.v - reach_v, height_ - box.v - reach_v});
+  double best = std::min({cap, outline.left, width_ - outline.right, outline.bottom, height_ - outline.top});
   best = std::max(best, 0.0);
 
-  const int first = std::clamp(static_cast<int>(box.v - reach_v), 0, height_ - 1);
-  const int last = std::clamp(static_cast<int>(std::ceil(box.v + reach_v)) - 1, first, height_ - 1);
+  const int first = std::clamp(static_cast<int>(outline.bottom), 0, height_ - 1);
+  const int last = std::clamp(static_cast<int>(std::ceil(outline.top)) - 1, first, height_ - 1);
   for (int row = first; row <= last; ++row)
   {
-    const double low = std::max(row - box.v, -reach_v), high = std::min(row + 1 - box.v, reach_v);
-    look_at_row(box, row, static_cast<int>(box.u + left.within(low, high)), best);
+    double least, greatest;
+    outline.columns_between(row, row + 1.0, least, greatest);
+    look_at_row(outline, row, static_cast<int>(std::clamp(least, 0.0, width_ - 1.0)), best);
   }
-  for (int row = last + 1; row < height_ && row - (box.v + reach_v) < best; ++row)
-    look_at_row(box, row, static_cast<int>(box.u + left.top_u), best);
-  for (int row = first - 1; row >= 0 && (box.v - reach_v) - (row + 1) < best; --row)
-    look_at_row(box, row, static_cast<int>(box.u - left.top_u), best);
+  for (int row = last + 1; row < height_ && row - outline.top < best; ++row)
+    look_at_row(outline, row, static_cast<int>(outline.top_u), best);
+  for (int row = first - 1; row >= 0 && outline.bottom - (row + 1) < best; --row)
+    look_at_row(outline, row, static_cast<int>(outline.bottom_u), best);
   return best;
 }
 
-/// Along a row the distance of a cell from the box is convex in the column, least at `column`: only the nearest
+/// Along a row the distance of a cell from the outline is convex in the column, least at `column`: only the nearest
 /// obstacle on either side of it matters.
-void ObstacleCells::look_at_row(const Box& box, int row, int column, double& best) const
+void ObstacleCells::look_at_row(const Outline& outline, int row, int column, double& best) const
 {
-  const double half_cell = 0.5 * (box.c + box.s);  // of the unit square along either axis of the box
-  const double dv = row + 0.5 - box.v;
+  const double v = row + 0.5;
   const auto look_at = [&](int obstacle) {
-    const double du = obstacle + 0.5 - box.u;
-    const double along = std::abs(box.c * du + box.s * dv) - box.a - half_cell;
-    const double across = std::abs(box.c * dv - box.s * du) - box.b - half_cell;
-    if (std::max(along, across) < best) best = std::min(best, distance_to_cell(box, du, dv));
+    const double u = obstacle + 0.5;
+    // The distance is at least that from each of the outline's sides.
+    double least = 0.0;
+    for (std::size_t i = 0; i < outline.corners.size(); ++i)
+    {
+      const Point2 &corner = outline.corners[i], &n = outline.normals[i];
+      least = std::max(least, n.x * (u - corner.x) + n.y * (v - corner.y) - 0.5 * (std::abs(n.x) + std::abs(n.y)));
+    }
+    if (least < best) best = std::min(best, distance_to_cell(outline, u, v));
   };
   column = std::clamp(column, 0, width_ - 1);
-  const int left = previous(row, column, static_cast<int>(std::max(0.0, box.u - box.reach_u() - best - 1.0)));
+  const int left = previous(row, column, static_cast<int>(std::max(0.0, outline.left - best - 1.0)));
   if (left >= 0) look_at(left);
-  const double rightmost = std::min(width_ - 1.0, box.u + box.reach_u() + best + 1.0);
-  const int right = next(row, column, static_cast<int>(rightmost));
+  const int right = next(row, column, static_cast<int>(std::min(width_ - 1.0, outline.right + best + 1.0)));
   if (right >= 0) look_at(right);
 }
 

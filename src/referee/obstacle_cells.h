@@ -6,20 +6,22 @@
 #include <vector>
 
 #include "fourwis_navigation/model/occupancy_grid.h"
+#include "fourwis_navigation/model/point.h"
+#include "shape.h"
 
 namespace fourwis::referee
 {
 
-/// A rectangle in the grid's frame, in cells: centre (u, v), unit vector (c, s) of one axis with c, s >= 0, half the
-/// side along it (a) and across it (b). With c, s >= 0 its leftmost corner is -a e + b n and its topmost a e + b n.
-struct Box
+/// A convex polygon at a pose, in the grid's frame, in cells. It can be used again without asking for memory.
+struct Outline
 {
-  double u, v;
-  double c, s;
-  double a, b;
+  std::vector<Point2> corners;  ///< counter-clockwise
+  std::vector<Point2> normals;  ///< of the side from each corner to the next, outward, of length one
+  double left, right, bottom, top;
+  double bottom_u, top_u;  ///< where it is lowest and highest
 
-  double reach_u() const { return a * c + b * s; }  ///< half its extent along u
-  double reach_v() const { return a * s + b * c; }  ///< half its extent along v
+  /// Least and greatest u of the part with v in [low, high], which must not be empty.
+  void columns_between(double low, double high, double& least, double& greatest) const;
 };
 
 struct Cell
@@ -27,7 +29,7 @@ struct Cell
   int column = 0, row = 0;
 };
 
-/// The obstacles of a grid as rows of bits, for exact questions about rectangles. All lengths in cells.
+/// The obstacles of a grid as rows of bits, for exact questions about convex polygons. All lengths in cells.
 class ObstacleCells
 {
 public:
@@ -36,23 +38,23 @@ public:
 
   double resolution() const { return resolution_; }  ///< side of a cell [m]
 
-  /// The rectangle of a body at (x, y) in the map frame, heading (cosine, sine), half sides in metres.
-  Box box(double x, double y, double cosine, double sine, double half_length, double half_width) const;
+  /// A body with C at (x, y) in the map frame, heading (cosine, sine). The shape must not be empty.
+  void place(const Shape& shape, double x, double y, double cosine, double sine, Outline& outline) const;
 
-  /// Whether the box lies in the grid; touching the border is inside.
-  bool contains(const Box& box) const;
+  /// Whether the outline lies in the grid; touching the border is inside.
+  bool contains(const Outline& outline) const;
 
-  /// An obstacle cell whose interior meets the interior of the box, if there is one. The box lies in the grid.
-  std::optional<Cell> overlapped(const Box& box) const;
+  /// An obstacle cell whose interior meets the interior of the outline, if there is one. The outline lies in the grid.
+  std::optional<Cell> overlapped(const Outline& outline) const;
 
-  /// Distance from the box to the nearest obstacle or the border, `cap` when that is less. The box lies in the grid and
+  /// Distance from the outline to the nearest obstacle or the border, `cap` when that is less. The outline lies in the grid and
   /// overlaps no obstacle.
-  double clearance(const Box& box, double cap) const;
+  double clearance(const Outline& outline, double cap) const;
 
 private:
   int next(int row, int from, int to) const;      ///< first obstacle column in [from, to], -1: none
   int previous(int row, int from, int to) const;  ///< last obstacle column in [to, from], -1: none
-  void look_at_row(const Box& box, int row, int column, double& best) const;
+  void look_at_row(const Outline& outline, int row, int column, double& best) const;
 
   int width_, height_;
   double resolution_;

@@ -40,8 +40,12 @@ nav_msgs::Odometry to_message(const Odometry& odometry, const ros::Time& stamp, 
   return message;
 }
 
-BaseTopics::BaseTopics(const Robot& robot, const BaseFrames& frames) : frames_(frames), odometry_(robot, {})
+BaseTopics::BaseTopics(const Robot& robot, const BaseFrames& frames)
+  : frames_(frames),
+    base_link_(robot),
+    odometry_(robot, {})
 {
+  set_odometry({});
   ros::NodeHandle node;
   wheel_states_ = node.advertise<fourwis_navigation::WheelStates>("wheel_states", 10);
   odom_ = node.advertise<nav_msgs::Odometry>("odom", 10);
@@ -61,7 +65,7 @@ void BaseTopics::publish(const ros::Time& stamp, const WheelState& state, const 
 
 void BaseTopics::publish_odometry(const ros::Time& stamp)
 {
-  const nav_msgs::Odometry odom = to_message(odometry_.state(), stamp, frames_);
+  const nav_msgs::Odometry odom = to_message(base_link_.from_centre(odometry_.state()), stamp, frames_);
   odom_.publish(odom);
   if (frames_.publish_odom_tf) tf_.sendTransform(to_message(odometry(), odom.header, frames_.robot_base_frame));
 }

@@ -11,6 +11,7 @@
 #include "fourwis_navigation/model/robot.h"
 #include "fourwis_navigation/model/wheels.h"
 #include "fourwis_navigation/parameters/node_parameters.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 #include "fourwis_navigation/vehicle/wheel_odometry.h"
 
 namespace fourwis
@@ -27,9 +28,9 @@ public:
   /// `stamp`, whose clock may be set. `explanation`: what is the matter with the base.
   void publish(const ros::Time& stamp, const WheelState& state, const std::string& explanation);
 
-  /// From now on odometry has the robot there.
-  void set_odometry(const Pose& pose) { odometry_.set_pose(pose); }
-  const Pose& odometry() const { return odometry_.state().pose; }
+  /// From now on odometry has the robot there. Poses are those of base_link, which begins at the origin of the odom frame.
+  void set_odometry(const Pose& pose) { odometry_.set_pose(base_link_.to_centre(pose)); }
+  Pose odometry() const { return base_link_.from_centre(odometry_.state().pose); }
 
   /// What is not published until further notice; for simulations of a broken base.
   struct Silence
@@ -44,6 +45,7 @@ private:
   void publish_joints(const ros::Time& stamp, const WheelState& state);
 
   const BaseFrames frames_;
+  const BaseLink base_link_;
   WheelOdometry odometry_;
   Silence silent_;
   sensor_msgs::JointState joints_;  ///< as published last: rolled angles add up
@@ -52,7 +54,7 @@ private:
   tf2_ros::TransformBroadcaster tf_;
 };
 
-/// Odometry as a message, covariances of the planar state in the rows and columns of x, y and yaw.
+/// Odometry of base_link as a message, covariances of the planar state in the rows and columns of x, y and yaw.
 nav_msgs::Odometry to_message(const Odometry& odometry, const ros::Time& stamp, const BaseFrames& frames);
 
 }  // namespace fourwis

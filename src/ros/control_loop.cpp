@@ -34,6 +34,7 @@ bool is_stop_due(const ros::Time& due, const ros::Time& now)
 ControlLoop::ControlLoop(const MpcControllerParameters& parameters, const tf2::BufferCore& tf, Refused refused)
   : parameters_(parameters),
     fingerprint_(fingerprint(parameters.robot)),
+    base_link_(parameters.robot),
     odometry_pose_(parameters.node.global_frame, parameters.node.robot_base_frame, parameters.node.transform_tolerance,
                    tf),
     refused_(std::move(refused))
@@ -68,7 +69,7 @@ void ControlLoop::take_to_drive(const fourwis_navigation::ModeTrajectory& trajec
 {
   check(trajectory.header);
   check_robot(trajectory.fingerprint);
-  next_ = WaitingTrajectory{trajectory.header.stamp, to_trajectory(trajectory)};
+  next_ = WaitingTrajectory{trajectory.header.stamp, base_link_.to_centre(to_trajectory(trajectory))};
 }
 
 void ControlLoop::check(const std_msgs::Header& header) const
@@ -134,11 +135,13 @@ void ControlLoop::restart(double back)
 void ControlLoop::locate(const nav_msgs::Odometry& odometry)
 {
   problem_.clear();
-  speed_ = std::hypot(odometry.twist.twist.linear.x, odometry.twist.twist.linear.y);
+  const geometry_msgs::Twist& twist = odometry.twist.twist;
+  const Twist centre = base_link_.to_centre(Twist{twist.linear.x, twist.linear.y, twist.angular.z});
+  speed_ = std::hypot(centre.vx, centre.vy);
   input_.pose_stamp = odometry.header.stamp.toSec();
   try
   {
-    input_.pose = odometry_pose_.at(odometry);
+    input_.pose = base_link_.to_centre(odometry_pose_.at(odometry));
   }
   catch (const ConversionError& error)
   {

@@ -12,6 +12,7 @@
 #include "fourwis_navigation/WheelStates.h"
 #include "fourwis_navigation/parameters/node_parameters.h"
 #include "fourwis_navigation/track/tracker.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 #include "odometry_pose.h"
 
 namespace fourwis
@@ -89,6 +90,7 @@ private:
 
   const MpcControllerParameters parameters_;
   const std::string fingerprint_;  ///< of the robot
+  const BaseLink base_link_;
   const OdometryPose odometry_pose_;
   const Refused refused_;
   std::optional<Tracker> tracker_;  ///< replaced when time goes back

@@ -46,6 +46,7 @@ Tracking to_message(const ControlStep& step, const std::string& frame)
 
 ControllerTopics::ControllerTopics(const Robot& robot, const MpcControllerOptions& options, const ListenerLeft& left)
   : robot_(robot),
+    base_link_(robot),
     global_frame_(options.global_frame),
     robot_base_frame_(options.robot_base_frame)
 {
@@ -63,7 +64,8 @@ void ControllerTopics::publish(const ControlStep& step, const Tracking& tracking
 {
   const TrackOutput& output = step.output;
   wheel_commands_.publish(to_message(output.command, step.stamp));
-  cmd_vel_.publish(to_message(body_twist(robot_, output.command.mode, output.speed, output.phi)));
+  cmd_vel_.publish(
+      to_message(base_link_.from_centre(body_twist(robot_, output.command.mode, output.speed, output.phi))));
   tracking_.publish(tracking);
   if (std::abs(seconds_between(shown_, step.stamp)) < kPicturePeriod) return;
   shown_ = step.stamp;
@@ -102,7 +104,7 @@ void ControllerTopics::publish_prediction(const ros::Time& stamp, const std::vec
   {
     geometry_msgs::PoseStamped& place = path.poses.emplace_back();
     place.header = path.header;
-    place.pose = to_message(pose);
+    place.pose = to_message(base_link_.from_centre(pose));
   }
   predicted_path_.publish(path);
 }

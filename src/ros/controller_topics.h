@@ -11,6 +11,7 @@
 #include "fourwis_navigation/Tracking.h"
 #include "fourwis_navigation/model/pose.h"
 #include "fourwis_navigation/model/robot.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 
 namespace fourwis
 {
@@ -39,6 +40,7 @@ private:
   void publish_prediction(const ros::Time& stamp, const std::vector<Pose>& prediction);
 
   const Robot robot_;
+  const BaseLink base_link_;
   const std::string global_frame_, robot_base_frame_;
   ros::Time shown_;  ///< when prediction and marker were published last
   ros::Publisher wheel_commands_, cmd_vel_, tracking_, predicted_path_, marker_;

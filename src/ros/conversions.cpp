@@ -2,6 +2,7 @@
 
 #include "fourwis_navigation/model/fingerprint.h"
 #include "fourwis_navigation/model/sentence.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 
 #include <cmath>
 #include <cstdint>
@@ -251,14 +252,15 @@ nav_msgs::Path to_path_message(const Robot& robot, const Path& path, const std_m
 {
   nav_msgs::Path message;
   message.header = header;
+  const BaseLink base_link(robot);
   for (const PathPiece& piece : path.pieces)
   {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(piece.length) / step)));
     for (int i = 0; i < steps; ++i)
-      message.poses.push_back(
-          stamped(advance(robot, piece.start, piece.mode, piece.phi, piece.length * i / steps), header));
+      message.poses.push_back(stamped(
+          base_link.from_centre(advance(robot, piece.start, piece.mode, piece.phi, piece.length * i / steps)), header));
   }
-  if (!path.pieces.empty()) message.poses.push_back(stamped(path.goal, header));
+  if (!path.pieces.empty()) message.poses.push_back(stamped(base_link.from_centre(path.goal), header));
   return message;
 }
 

@@ -6,6 +6,8 @@
 #include "conversions.h"
 #include "fourwis_navigation/corridor/polytope_corridor.h"
 #include "fourwis_navigation/model/mode_colour.h"
+#include "fourwis_navigation/vehicle/base_link.h"
+#include "fourwis_navigation/vehicle/body.h"
 
 namespace fourwis
 {
@@ -85,18 +87,17 @@ void add_line(const Pose& from, const Pose& to, double height, const std_msgs::C
   lines.colors.insert(lines.colors.end(), 2, colour);
 }
 
-/// The body's rectangle and a line from its centre to its front.
+/// The body with base_link at a pose, and a line from C, the centre of the wheels, to its front.
 void add_footprint(const Robot& robot, const Pose& pose, double height, const std_msgs::ColorRGBA& colour,
                    Marker& lines)
 {
-  const double x = robot.length / 2.0, y = robot.width / 2.0;
-  const Pose front_left = compose(pose, {x, y, 0.0}), front_right = compose(pose, {x, -y, 0.0});
-  const Pose rear_left = compose(pose, {-x, y, 0.0}), rear_right = compose(pose, {-x, -y, 0.0});
-  add_line(front_left, front_right, height, colour, lines);
-  add_line(front_right, rear_right, height, colour, lines);
-  add_line(rear_right, rear_left, height, colour, lines);
-  add_line(rear_left, front_left, height, colour, lines);
-  add_line(pose, compose(pose, {x, 0.0, 0.0}), height, colour, lines);
+  const Pose centre = BaseLink(robot).to_centre(pose);
+  const ConvexPolygon body = body_of(robot);
+  const auto at = [&](const Point2& point) { return compose(centre, {point.x, point.y, 0.0}); };
+  for (std::size_t i = 0; i < body.size(); ++i)
+    add_line(at(body[i]), at(body[(i + 1) % body.size()]), height, colour, lines);
+  const BodyBox box = box_of(robot);
+  add_line(centre, at({box.middle.x + box.length / 2.0, box.middle.y}), height, colour, lines);
 }
 
 Marker path_marker(const Trajectory& trajectory, const std_msgs::Header& header)

@@ -29,17 +29,23 @@ const BaseSimulatorParameters& checked(const BaseSimulatorParameters& parameters
 
 SimulatedDrives::SimulatedDrives(const BaseSimulatorParameters& parameters)
   : frames_(checked(parameters).node.frames),
+    base_link_(parameters.robot),
     base_(parameters.node.bus, parameters.robot, parameters.bridge, parameters.simulator),
-    localization_(parameters.node, [this](const Pose& pose) { base_.drives().place(pose); }),
+    localization_(parameters.node, [this](const Pose& pose) { place(pose); }),
     faults_([this](const auto& fault) { inject(fault); }, [this] { base_.drives().clear_faults(); })
 {
-  base_.drives().place(parameters.node.initial);
+  place(parameters.node.initial);
   odometry_ = node_.subscribe<nav_msgs::Odometry>(
       "odom", 10, [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); }, nullptr,
       ros::TransportHints().tcpNoDelay());
   life_ = node_.createWallTimer(kStep, [this](const ros::WallTimerEvent&) { live(); });
   publication_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.node.publish_frequency),
                                        [this](const ros::WallTimerEvent&) { publish(); });
+}
+
+void SimulatedDrives::place(const Pose& pose)
+{
+  base_.drives().place(base_link_.to_centre(pose));
 }
 
 void SimulatedDrives::live()
@@ -50,7 +56,7 @@ void SimulatedDrives::live()
 void SimulatedDrives::publish()
 {
   const ros::Time now = ros::Time::now();
-  const Pose& pose = base_.drives().pose();
+  const Pose pose = base_link_.from_centre(base_.drives().pose());
   std_msgs::Header header;
   header.stamp = now;
   header.frame_id = kWorld;

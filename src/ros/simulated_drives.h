@@ -8,6 +8,7 @@
 
 #include "fault_services.h"
 #include "fourwis_navigation/drives/bus_base.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 #include "ideal_localization.h"
 
 namespace fourwis
@@ -23,6 +24,7 @@ public:
   explicit SimulatedDrives(const BaseSimulatorParameters& parameters);
 
 private:
+  void place(const Pose& pose);  ///< of base_link
   void live();
   void publish();
   void on_odometry(const nav_msgs::Odometry& odometry);
@@ -30,6 +32,7 @@ private:
   void inject(const fourwis_navigation::InjectFault::Request& request);
 
   const BaseFrames frames_;
+  const BaseLink base_link_;
   drives::BusBase base_;
   tf2::BufferCore truth_;  ///< where the robot was lately
   IdealLocalization localization_;

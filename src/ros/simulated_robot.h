@@ -4,6 +4,7 @@
 #include "direct_base_faults.h"
 #include "fault_services.h"
 #include "fourwis_navigation/sim/base_simulator.h"
+#include "fourwis_navigation/vehicle/base_link.h"
 #include "ideal_localization.h"
 #include "simulation_clock.h"
 
@@ -19,9 +20,11 @@ public:
   explicit SimulatedRobot(const BaseSimulatorParameters& parameters);
 
 private:
+  void place(const Pose& pose);  ///< of base_link
   void cycle(const ros::Time& end);
 
   const double period_;  ///< of a cycle [s]
+  const BaseLink base_link_;
   BaseSimulator simulator_;
   DirectBase base_;
   IdealLocalization localization_;

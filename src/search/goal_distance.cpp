@@ -43,12 +43,13 @@ private:
   std::size_t size_ = 0;
 };
 
-/// Least clearance that C, the centre of the wheels, can have where the robot fits at some heading: both disc centres
-/// are as close to one point as they can be.
+/// Least clearance that C, the centre of the wheels, can have where the robot fits at some heading. In the middle between the
+/// discs it is least where both centres are as close to one point as they can be; C has less by its distance from there.
 double least_clearance(const CollisionChecker& checker)
 {
-  const double disc = checker.least_clearance(), offset = checker.discs().offset;
-  return std::sqrt(std::max(0.0, disc * disc - offset * offset));
+  const TwoDiscs& discs = checker.discs();
+  const double radius = checker.least_clearance(), offset = discs.offset;
+  return std::sqrt(std::max(0.0, radius * radius - offset * offset)) - std::hypot(discs.middle.x, discs.middle.y);
 }
 
 }  // namespace

@@ -48,12 +48,46 @@ ConvexPolygon cut(const ConvexPolygon& polygon, const Side& side)
   return kept;
 }
 
+double signed_area(const ConvexPolygon& polygon)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point2 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+    area += (from.x * to.y - to.x * from.y) / 2.0;
+  }
+  return area;
+}
+
+/// The footprint in the frame of C, counter-clockwise.
+ConvexPolygon footprint_of(const Robot& robot)
+{
+  ConvexPolygon corners;
+  for (const Point2& corner : robot.footprint)
+    corners.push_back({corner.x - robot.base_offset.x, corner.y - robot.base_offset.y});
+  if (signed_area(corners) < 0.0) std::reverse(corners.begin(), corners.end());
+  return corners;
+}
+
 }  // namespace
 
 ConvexPolygon body_of(const Robot& robot)
 {
+  if (!robot.footprint.empty()) return footprint_of(robot);
   const double x = robot.length / 2.0, y = robot.width / 2.0;
-  return {{x, y}, {-x, y}, {-x, -y}, {x, -y}};
+  const Point2& middle = robot.body_offset;
+  return {{middle.x + x, middle.y + y},
+          {middle.x - x, middle.y + y},
+          {middle.x - x, middle.y - y},
+          {middle.x + x, middle.y - y}};
+}
+
+BodyBox box_of(const Robot& robot)
+{
+  if (robot.footprint.empty()) return {robot.length, robot.width, robot.body_offset};
+  Extent x, y;
+  for (const Point2& corner : body_of(robot)) x.add(corner.x), y.add(corner.y);
+  return {x.greatest - x.least, y.greatest - y.least, {(x.least + x.greatest) / 2.0, (y.least + y.greatest) / 2.0}};
 }
 
 ConvexPolygon grown(const ConvexPolygon& polygon, double margin)

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Origins, MazeFarAway,
 TEST(GridFrame, OfAnOriginOfZeroChangesNoBit)
 {
   Random random(kSeed);
-  const GridFrame frame{Pose{}};
+  const GridFrame frame{Pose{}, Robot()};
   for (int k = 0; k < 1000; ++k)
   {
     const Pose pose = random.pose(100.0);
@@ -109,7 +109,9 @@ TEST(GridFrame, ThereAndBackIsTheSamePose)
   Random random(kSeed);
   for (int k = 0; k < 1000; ++k)
   {
-    const GridFrame frame(random.pose(1e6));
+    Robot robot;
+    robot.base_offset = {random.unit(), random.unit()};
+    const GridFrame frame(random.pose(1e6), robot);
     const Pose pose = random.pose(20.0), back = frame.to_grid(frame.to_map(pose));
     ASSERT_LT(distance(back, pose), 1e-8);
     ASSERT_NEAR(back.theta, pose.theta, 1e-12);

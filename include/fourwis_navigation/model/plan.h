@@ -43,7 +43,7 @@ inline const char* to_string(PlanStatus status)
   return "invalid_input";
 }
 
-/// The question: from rest at `start` to rest at `goal`, both in the map frame.
+/// The question: from rest at `start` to rest at `goal`, both poses of base_link in the map frame.
 struct PlanRequest
 {
   Pose start;
@@ -81,8 +81,8 @@ struct PlanResult
 {
   PlanStatus status = PlanStatus::invalid_input;
   std::string message;    ///< one sentence with numbers, for a person
-  Trajectory trajectory;  ///< what the referee accepted; empty unless succeeded
-  Path path;              ///< the front end's
+  Trajectory trajectory;  ///< what the referee accepted, of base_link; empty unless succeeded
+  Path path;              ///< the front end's, of C, the centre of the wheels
   PlanMetrics metrics;
   std::string candidate;  ///< which of the searches found the path: its modes and costs
   /// Parts between switches, or runs between cusps, that are driven with stops because their optimisation failed.

@@ -43,7 +43,7 @@ struct PlannerOptions
 /// other, or one needs Ipopt and has_ipopt() is false.
 void check(const PlannerOptions& options);
 
-/// Results of the stages, for pictures and markers. Filled only if asked for.
+/// Results of the stages, for pictures and markers. Poses are those of base_link in the map frame. Filled only if asked for.
 struct PlanTrace
 {
   std::vector<Pose> expanded;                        ///< nodes of the first search in the order of expansion
@@ -61,7 +61,7 @@ struct World
   World(const OccupancyGrid& grid, const Robot& robot,
         const PlannerOptions& options);  ///< throws as the checks of all three do
 
-  /// Referee::first_violation_from() for a trajectory in the map frame.
+  /// Referee::first_violation_from() for a trajectory of base_link in the map frame.
   std::optional<Violation> first_violation_from(double t, const Trajectory& accepted) const;
 
   Robot robot;
@@ -89,7 +89,7 @@ public:
   /// less than 1.
   Planner(const PlannerOptions& options, int threads);
 
-  /// Plans for the world's robot. Never throws on a request.
+  /// Plans for the world's robot. Never throws on a request. Request, trajectory and trace are of base_link in the map frame.
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
                   PlanTrace* trace = nullptr) const;
 

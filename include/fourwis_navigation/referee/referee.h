@@ -58,7 +58,7 @@ struct Violation
 struct Verdict
 {
   std::vector<Violation> violations;  ///< empty: accepted. At most five of a kind, in the order of the points
-  /// Least distance of the rectangle to an obstacle cell or the border of the grid [m]; 0 when touching or overlapping.
+  /// Least distance of the body to an obstacle cell or the border of the grid [m]; 0 when touching or overlapping.
   /// Exact at the poses looked at, which are so close that it is at most 1/8 or half a collision_step too large. 0 when
   /// the points were no trajectory at all, and then so are the numbers below.
   double min_clearance = 0.0;
@@ -71,7 +71,7 @@ struct Verdict
 };
 
 /// Judges trajectories on one grid. It shares no code with what it judges: own kinematics, own integration, own
-/// collision check of the exact rectangle against the grid's cells. Safe to use from several threads at once.
+/// collision check of the exact body against the grid's cells. Safe to use from several threads at once.
 ///
 /// A trajectory is accepted when
 ///  1. it has a point, starts at t = 0, its times increase, its numbers are finite, its modes are planned ones;
@@ -84,7 +84,7 @@ struct Verdict
 ///     for t_switch and for each wheel to turn from its old to its new angle;
 ///  6. each wheel keeps its rate and speed, and within each stretch without rest some branch (angle + k pi) of its
 ///     angle stays within its travel. At rest a wheel may turn the shorter way, modulo pi, that its travel allows;
-///  7. the interior of the body's rectangle meets no obstacle cell and does not leave the grid. Touching is allowed,
+///  7. the interior of the body, a convex polygon, meets no obstacle cell and does not leave the grid. Touching is allowed,
 ///     and an overlap of 1e-9 m still counts as touching. Where the body overlaps at the start by no more than
 ///     start_tolerance, it may go on as long as it never gets deeper, until it is free. The depth is by how much each side of
 ///     the body has to be moved inward for that;
@@ -94,7 +94,7 @@ class Referee
 public:
   /// Throws std::invalid_argument naming field, value and what was expected when grid, robot or options are unusable.
   /// Time linear in the number of cells; the grid is not kept. `frame` is where the frame of grid and trajectories lies in
-  /// the one that sentences tell poses in.
+  /// the one that sentences tell poses in. Poses are those of C, the centre of the wheels, in sentences those of base_link.
   Referee(const OccupancyGrid& grid, const ObstacleRule& rule, const Robot& robot, const RefereeOptions& options = {},
           const Pose& frame = {});
 

@@ -17,6 +17,14 @@ using ConvexPolygon = std::vector<Point2>;
 /// The robot's body, seen from above.
 ConvexPolygon body_of(const Robot& robot);
 
+/// The rectangle along the axes that the body fills, in the frame of C [m].
+struct BodyBox
+{
+  double length, width;
+  Point2 middle;
+};
+BodyBox box_of(const Robot& robot);
+
 /// The polygon with each side moved outward by `margin` [m], inward where that is negative. Empty where nothing is left.
 ConvexPolygon grown(const ConvexPolygon& polygon, double margin);
 
