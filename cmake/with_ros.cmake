@@ -31,7 +31,7 @@ catkin_package(
   INCLUDE_DIRS include
   CATKIN_DEPENDS actionlib diagnostic_updater geometry_msgs map_msgs message_filters message_runtime move_base_msgs
     nav_msgs rosgraph_msgs roscpp sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros visualization_msgs
-  DEPENDS Boost EIGEN3 IPOPT OCTOMAP PNG YAML_CPP
+  DEPENDS Boost EIGEN3 IPOPT JPEG LEPTONICA OCTOMAP PNG YAML_CPP
   CFG_EXTRAS fourwis_navigation-extras.cmake)
 
 # Catkin sets these for all targets of the folder. The stages other than `ros` are compiled as they are without

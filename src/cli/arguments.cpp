@@ -102,7 +102,7 @@ po::options_description known_options()
   po::options_description options("Options");
   options.add_options()("help,h", "print this text")(
       "list-parameters", "print key, default, range and unit of every parameter of every configuration file")(
-      "map", value("FILE"), "map in map_server's format: YAML beside a PGM or PNG image")(
+      "map", value("FILE"), "map in map_server's format: YAML beside a PGM, PNG, JPEG, BMP or TIFF image")(
       "octomap", value("FILE"), "3D map (.bt or .ot) instead of --map")(
       "height-min", value("Z"), "lowest height of the 3D map that matters [m], default 0.1")(
       "height-max", value("Z"), "greatest height of the 3D map that matters [m], default 1.0")(

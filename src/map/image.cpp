@@ -17,7 +17,10 @@ Image read_image(const std::string& path)
   const InputFile file = read_input_file(path, max_map_bytes);
   if (starts_with(file.bytes, "P2") || starts_with(file.bytes, "P5")) return decode_pgm(file);
   if (starts_with(file.bytes, "\x89PNG")) return decode_png(file);
-  file.reject("format", "expected a PGM (P2 or P5) or PNG image");
+  if (starts_with(file.bytes, "\xff\xd8\xff")) return decode_jpeg(file);
+  if (starts_with(file.bytes, "BM")) return decode_bmp(file);
+  if (starts_with(file.bytes, {"II*\0", 4}) || starts_with(file.bytes, {"MM\0*", 4})) return decode_tiff(file);
+  file.reject("format", "expected a PGM (P2 or P5), PNG, JPEG, BMP or TIFF image");
 }
 
 void check_image_size(const InputFile& file, long long width, long long height)

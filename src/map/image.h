@@ -29,12 +29,16 @@ struct Image
   }
 };
 
-/// Reads a PGM (P2, P5) or PNG file, told apart by content. Throws MapFileError.
+/// Reads a PGM (P2, P5), PNG, JPEG, BMP or TIFF file, told apart by content. Throws MapFileError.
 Image read_image(const std::string& path);
 
-/// The formats behind read_image(). Deeper samples are reduced to 8 bits as map_server's image library does.
+/// The formats behind read_image(). Deeper samples are reduced to 8 bits as map_server's image library does, palettes are
+/// resolved. Their libraries write nothing to the console, and are given no size that check_image_size() refuses.
 Image decode_pgm(const InputFile& file);
 Image decode_png(const InputFile& file);
+Image decode_jpeg(const InputFile& file);
+Image decode_bmp(const InputFile& file);
+Image decode_tiff(const InputFile& file);
 
 /// Throws MapFileError unless a header's size is one of a real map: at least 1 x 1, at most max_map_cells.
 void check_image_size(const InputFile& file, long long width, long long height);

@@ -189,10 +189,18 @@ TEST_F(PlanCommand, UnusableInputIsStatusTwoNamedInOneLineAndInTheJson)
   std::ofstream(path("robot.yaml")) << "length: nine\n";
   std::ofstream(path("bad.yaml")) << "image: room.pgm\n";
   std::ofstream(path("bad.bt")) << "no tree";
+  std::ofstream(path("cut.jpg")) << "\xff\xd8\xff\xe0";
+  std::ofstream(path("word.png")) << "a word";
+  for (const std::string image : {"cut.jpg", "word.png"})
+    std::ofstream(path(image + ".yaml")) << "image: " << image
+                                         << "\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\n"
+                                            "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
   const Words poses = {"--start", "1.5,1.5,0", "--goal", "5,4,0"};
   const std::vector<std::pair<Words, Words>> cases = {
       {poses + Words{"--map", path("missing.yaml")}, {"missing.yaml"}},
       {poses + Words{"--map", path("bad.yaml")}, {"bad.yaml", "resolution"}},
+      {poses + Words{"--map", path("cut.jpg.yaml")}, {"cut.jpg.yaml", "cut.jpg: header", "expected a complete JPEG"}},
+      {poses + Words{"--map", path("word.png.yaml")}, {"word.png: format: expected a PGM", "PNG", "JPEG"}},
       {poses + Words{"--octomap", path("bad.bt")}, {"bad.bt"}},
       {easy() + Words{"--robot", path("robot.yaml")}, {"robot.yaml", "length", "nine"}},
       {easy() + Words{"--robot", path("missing.yaml")}, {"missing.yaml"}},
