@@ -14,6 +14,7 @@
 #include "fourwis_navigation/vehicle/body.h"
 #include "fourwis_navigation/vehicle/kinematics.h"
 #include "fourwis_navigation/vehicle/mode_limits.h"
+#include "goals_nearby.h"
 #include "grid_frame.h"
 #include "judge.h"
 #include "paper_back_end.h"
@@ -263,13 +264,16 @@ PlanResult check_request(const Robot& robot, const PlannerOptions& options, cons
                    "the paper's formulation takes a body whose middle is the centre of the wheels");
   if (!is_finite(request.start)) return refusal(PlanStatus::invalid_input, "the start pose is not finite");
   if (!is_finite(request.goal)) return refusal(PlanStatus::invalid_input, "the goal pose is not finite");
+  if (!std::isfinite(request.goal_tolerance) || request.goal_tolerance < 0.0)
+    return refusal(PlanStatus::invalid_input,
+                   sentence("the goal's tolerance is %g m, expected a finite number from 0", request.goal_tolerance));
   if (request.modes.empty())
     return refusal(PlanStatus::invalid_input, "no motion mode that the wheels can do is allowed");
   return refusal(PlanStatus::succeeded, "");
 }
 
 /// Both poses judged by the body; then the plan.
-PlanResult answer(const Question& question)
+PlanResult answer_exactly(const Question& question)
 {
   const World& world = question.world;
   const PlanRequest &request = question.request, &asked = question.asked;
@@ -288,6 +292,44 @@ PlanResult answer(const Question& question)
   result.overlap = std::max(0.0, -start.clearance);
   if (result.overlap > 0.0 && result.status == PlanStatus::succeeded)
     result.message += sentence("; at the start the body overlaps an obstacle by %.3f m", result.overlap);
+  return result;
+}
+
+/// Whether a pose nearby may have a plan where the goal has none.
+bool lies_with_the_goal(PlanStatus status)
+{
+  return status == PlanStatus::goal_in_collision || status == PlanStatus::goal_unreachable ||
+         status == PlanStatus::no_path;
+}
+
+/// Whether there is nothing more to try: a plan, or no time.
+bool is_over(PlanStatus status)
+{
+  return status == PlanStatus::succeeded || status == PlanStatus::timeout || status == PlanStatus::cancelled;
+}
+
+/// The goal itself; where it has no plan, the nearest pose within its tolerance that has one.
+PlanResult answer(const Question& question)
+{
+  PlanResult result = answer_exactly(question);
+  if (question.request.goal_tolerance == 0.0 || !lies_with_the_goal(result.status)) return result;
+  const std::vector<Pose> goals = free_goals_nearby(question.world, question.options, question.request);
+  const GridFrame frame(question.world.grid.origin, question.world.robot);
+  for (const Pose& goal : goals)
+  {
+    PlanRequest request = question.request, asked = question.asked;
+    request.goal = goal;
+    asked.goal = frame.to_map(goal);
+    if (question.trace) *question.trace = {};
+    PlanResult nearby = answer_exactly(
+        {question.world, question.options, request, asked, question.interrupt, question.threads, question.trace});
+    if (!is_over(nearby.status)) continue;
+    nearby.message += sentence("; for (%.3f, %.3f), %.3f m from a goal that is %s", asked.goal.x, asked.goal.y,
+                               distance(goal, question.request.goal), to_string(result.status));
+    return nearby;
+  }
+  result.message += sentence("; nor has any of the %zu free poses within %g m of it a plan", goals.size(),
+                             question.request.goal_tolerance);
   return result;
 }
 

@@ -41,7 +41,9 @@ void PlanServices::make_plan(const nav_msgs::GetPlan::Request& request, nav_msgs
   response.plan.header = topics_.header();
   try
   {
-    const PlanAnswer answer = plan({start_pose(request.start), poses_.to_global(request.goal, "goal"), modes_});
+    PlanRequest question = {start_pose(request.start), poses_.to_global(request.goal, "goal"), modes_};
+    question.goal_tolerance = static_cast<double>(request.tolerance);
+    const PlanAnswer answer = plan(question);
     if (answer.result.status == PlanStatus::succeeded)
       response.plan = to_path_message(answer.result.trajectory, response.plan.header);
     else

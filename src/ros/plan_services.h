@@ -21,7 +21,8 @@ namespace fourwis
 /// `~make_plan` and `~plan_trajectory` answer without publishing a plan, one after the other on a thread of their own,
 /// beside goals and callbacks; `~cancel` ends them and the goal's plan. A start without frame_id means the robot's
 /// pose. None of it touches the planner's status, which is about the goal. Why there is no plan is in the answer of
-/// `~plan_trajectory`, which has a place for it, and of `~make_plan` in the log.
+/// `~plan_trajectory`, which has a place for it, and of `~make_plan` in the log. `~make_plan` has a tolerance: the last pose of its
+/// answer is the one that the plan really gets to.
 class PlanServices
 {
 public:

@@ -145,6 +145,33 @@ TEST_F(Planning, make_plan_starts_at_the_robot_when_the_start_has_no_frame)
   EXPECT_NEAR(call.response.plan.poses.front().pose.position.y, kStart.y, 1e-3);
 }
 
+TEST_F(Planning, make_plan_relaxes_a_goal_in_an_obstacle_by_the_tolerance)
+{
+  // The wall ends 0.2 m east of x = 5; the body is 0.31 m wide to each side of C.
+  const Pose in_the_wall{5.1, 3.0, M_PI_2};
+  nav_msgs::GetPlan call;
+  call.request.start = stamped({8, 3, M_PI_2});
+  call.request.goal = stamped(in_the_wall);
+  const auto reached = [&](float tolerance) {
+    call.request.tolerance = tolerance;
+    EXPECT_TRUE(ros::service::call("/move_base/make_plan", call));
+    return call.response.plan.poses;
+  };
+  EXPECT_TRUE(reached(0.0f).empty());
+  EXPECT_TRUE(reached(0.3f).empty()) << "no free pose is that near";
+  EXPECT_TRUE(reached(-1.0f).empty());
+  EXPECT_TRUE(reached(std::nanf("")).empty());
+  const auto poses = reached(1.0f);
+  ASSERT_FALSE(poses.empty());
+  const Pose end = to_pose(poses.back().pose, "end");
+  EXPECT_LE(distance(end, in_the_wall), 1.0 + 1e-3);
+  EXPECT_GE(std::abs(end.x - in_the_wall.x), 0.1 + 0.31 - 1e-3);
+  EXPECT_NEAR(wrap_angle(end.theta - in_the_wall.theta), 0.0, 1e-3);
+  const auto again = reached(1.0f);
+  ASSERT_EQ(again.size(), poses.size());
+  EXPECT_EQ(again.back().pose, poses.back().pose);
+}
+
 TEST_F(Planning, plan_trajectory_uses_only_the_modes_it_is_given)
 {
   // Sideways by two metres: each mode gets there, each in its own way.

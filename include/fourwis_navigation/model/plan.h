@@ -51,6 +51,8 @@ struct PlanRequest
   ModeSet modes;
   bool frontend_only =
       false;  ///< no optimisation: the front end's path, driven with stops wherever the steering changes
+  /// How far x and y of the goal may be relaxed where it has no plan; its heading stays [m]. 0: not at all.
+  double goal_tolerance = 0.0;
 };
 
 /// The paper's section V-A.2, and where the time went. Metrics of the trajectory are those of the one
