@@ -1,15 +1,18 @@
 """Launch files that start planner and controller make the one wait for the other, and say whose time it is."""
 import pathlib
+import shlex
+import tempfile
 import unittest
+import xml.etree.ElementTree
 
 import roslaunch
 
 LAUNCH = pathlib.Path(__file__).resolve().parent.parent / 'launch'
 
 
-def load(path):
+def load(path, *arguments):
     config = roslaunch.config.ROSLaunchConfig()
-    roslaunch.xmlloader.XmlLoader(resolve_anon=False).load(str(path), config, argv=[], verbose=False)
+    roslaunch.xmlloader.XmlLoader(resolve_anon=False).load(str(path), config, argv=list(arguments), verbose=False)
     return config
 
 
@@ -35,6 +38,24 @@ class LaunchFiles(unittest.TestCase):
         simulated = {name: params['/use_sim_time'].value for name, params in self.both.items()
                      if '/use_sim_time' in params}
         self.assertEqual(simulated, {'replay.launch': True, 'robot.launch': False, 'simulation.launch': True})
+
+    def test_files_may_lie_in_a_folder_with_a_space_or_a_quote(self):
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary, "Ada's maps")
+            folder.mkdir()
+            robot, bag = folder / 'my robot.yaml', folder / 'my drive.bag'
+            text = (LAUNCH.parent / 'config' / 'robot.yaml').read_text(encoding='utf-8')
+            robot.write_text(text.replace('\nlength: 1.0', '\nlength: 0.875'), encoding='utf-8')
+            for name in ('simulation.launch', 'robot.launch'):
+                params = load(LAUNCH / name, f'robot:={robot}', f'map:={folder}/my map.yaml').params
+                self.assertEqual(params['/map_publisher/map_file'].value, f'{folder}/my map.yaml')
+                for node in ('move_base', 'mpc_controller'):
+                    self.assertEqual(params[f'/{node}/robot/length'].value, 0.875)
+                model = xml.etree.ElementTree.fromstring(params['/robot_description'].value)
+                self.assertEqual(model.find("link[@name='base_link']/visual/geometry/box").get('size').split()[0], '0.875')
+            for name in ('record.launch', 'replay.launch'):
+                arguments = [node.args for node in load(LAUNCH / name, f'bag:={bag}').nodes if node.package == 'rosbag']
+                self.assertEqual([word for word in shlex.split(arguments[0]) if word.endswith('.bag')], [str(bag)])
 
 
 if __name__ == '__main__':

@@ -8,6 +8,7 @@
 
 #include <boost/program_options.hpp>
 
+#include "fourwis_navigation/model/home_path.h"
 #include "fourwis_navigation/model/sentence.h"
 #include "fourwis_navigation/parameters/documentation.h"
 
@@ -173,9 +174,9 @@ PlanArguments arguments_in(const po::variables_map& given)
   arguments.corridors = given.count("corridors") > 0;
   arguments.iterations = given.count("iterations") > 0;
   if (given.count("repeat") > 0) arguments.repeat = repetitions_in(text_of(given, "repeat"));
-  arguments.json = text_of(given, "json");
-  arguments.csv = text_of(given, "csv");
-  arguments.svg = text_of(given, "svg");
+  arguments.json = expand_home(text_of(given, "json"));
+  arguments.csv = expand_home(text_of(given, "csv"));
+  arguments.svg = expand_home(text_of(given, "svg"));
   return arguments;
 }
 
@@ -193,8 +194,8 @@ std::string json_file_in(int argc, const char* const* argv)
   for (int i = 1; i < argc; ++i)
   {
     const std::string word = argv[i];
-    if (word == option && i + 1 < argc) return argv[i + 1];
-    if (word.compare(0, option.size() + 1, option + "=") == 0) return word.substr(option.size() + 1);
+    if (word == option && i + 1 < argc) return expand_home(argv[i + 1]);
+    if (word.compare(0, option.size() + 1, option + "=") == 0) return expand_home(word.substr(option.size() + 1));
   }
   return "";
 }

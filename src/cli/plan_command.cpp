@@ -47,12 +47,13 @@ struct Answer
 Problem read_problem(const PlanArguments& arguments)
 {
   Problem problem;
-  std::string robot_defaults, planner_defaults;
+  std::string robot_defaults, planner_defaults, map_warning;
   if (!arguments.robot.empty()) problem.robot = read_robot_file(arguments.robot, &robot_defaults);
   if (!arguments.planner.empty()) problem.options = read_planner_file(arguments.planner, &planner_defaults);
-  problem.grid = arguments.octomap.empty() ? read_map_file(arguments.map)
+  problem.grid = arguments.octomap.empty() ? read_map_file(arguments.map, &map_warning)
                                            : project_octomap_file(arguments.octomap, arguments.band);
   problem.request = {arguments.start, arguments.goal, arguments.modes, arguments.frontend_only};
+  if (!map_warning.empty()) problem.notes.push_back("warning: " + map_warning);
   for (const std::string& note : {robot_defaults, planner_defaults})
     if (!note.empty()) problem.notes.push_back(note);
   return problem;

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "fourwis_navigation/map/obstacle_map.h"
+#include "fourwis_navigation/model/home_path.h"
+#include "fourwis_navigation/model/sentence.h"
 #include "image.h"
 #include "input_file.h"
 #include "map_description.h"
@@ -25,12 +27,26 @@ Image read_image_of(const MapDescription& map, const std::string& yaml_path)
   const std::filesystem::path folder = std::filesystem::path(yaml_path).parent_path();
   try
   {
-    return read_image((folder / map.image).string());
+    return read_image((folder / expand_home(map.image)).string());
   }
   catch (const MapFileError& error)
   {
     reject_file(yaml_path, "image", error.what());
   }
+}
+
+/// The grey with which map savers write cells that no sensor has seen.
+constexpr int kUnseenGrey = 205;
+
+/// What a threshold above that grey means: nav2 and slam_toolbox write 0.25 beside it.
+std::string opening_sentence(const std::string& yaml_path, const MapDescription& map, const Image& image,
+                             long long opened)
+{
+  return sentence(
+      "%s: free_thresh is %g, so what map savers write for unseen (grey %d, occupied with %.4f) becomes free: %lld of "
+      "%lld pixels; expected at most 0.196 where these shall stay unknown",
+      yaml_path.c_str(), map.free_thresh, kUnseenGrey, (255 - kUnseenGrey) / 255.0, opened,
+      static_cast<long long>(image.width) * image.height);
 }
 
 /// map_server's value of a pixel whose colour samples have the mean `colour` in 0..255.
@@ -49,10 +65,12 @@ std::int8_t cell_value(const MapDescription& map, double colour, bool is_opaque)
 
 }  // namespace
 
-OccupancyGrid read_map_file(const std::string& yaml_path)
+OccupancyGrid read_map_file(const std::string& path, std::string* warning)
 {
+  const std::string yaml_path = expand_home(path);
   const MapDescription map = read_map_description(yaml_path);
   const Image image = read_image_of(map, yaml_path);
+  long long opened = 0;
   OccupancyGrid grid{image.width, image.height, map.resolution, map.origin, {}};
   grid.data.reserve(image.samples.size() / static_cast<std::size_t>(image.channels()));
   for (int row = image.height - 1; row >= 0; --row)  // the image's lowest row is the grid's row 0
@@ -62,8 +80,10 @@ OccupancyGrid read_map_file(const std::string& yaml_path)
       const std::uint8_t* pixel = image.pixel(column, row);
       const double mean = std::accumulate(pixel, pixel + image.colours, 0) / static_cast<double>(image.colours);
       grid.data.push_back(cell_value(map, mean, !image.has_alpha || pixel[image.colours] == 255));
+      if (mean == kUnseenGrey && !map.negate && grid.data.back() == 0) ++opened;
     }
   }
+  if (warning && opened > 0) *warning = opening_sentence(yaml_path, map, image, opened);
   return grid;
 }
 
@@ -73,7 +93,7 @@ namespace
 /// The grey levels that map_server's own writer uses.
 char grey(std::int8_t cell)
 {
-  if (cell < 0 || cell > 100) return static_cast<char>(205);
+  if (cell < 0 || cell > 100) return static_cast<char>(kUnseenGrey);
   return static_cast<char>(ObstacleRule{}.is_obstacle(cell) ? 0 : 254);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "fourwis_navigation/model/home_path.h"
 #include "fourwis_navigation/model/option_check.h"
 #include "octomap_file.h"
 
@@ -134,7 +135,7 @@ void check(const HeightBand& band)
 OccupancyGrid project_octomap_file(const std::string& path, const HeightBand& band)
 {
   check(band);
-  const InputFile file = read_input_file(path, max_map_bytes);
+  const InputFile file = read_input_file(expand_home(path), max_map_bytes);
   const OctomapHeader header = read_octomap_header(file);
   check_octomap_nodes(file, header);
   // A binary file of any type holds no colours.

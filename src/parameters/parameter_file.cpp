@@ -7,6 +7,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "fourwis_navigation/model/home_path.h"
 #include "fourwis_navigation/parameters/parameters.h"
 #include "parameter_list.h"
 #include "yaml_value.h"
@@ -83,7 +84,7 @@ void flatten(const std::string& path, const std::string& prefix, const YAML::Nod
 std::string content_of(const std::string& path)
 {
   const std::string expected = path + ": cannot be read, expected a YAML file";
-  std::ifstream file(path);
+  std::ifstream file(expand_home(path));
   if (!file) throw ConfigError(expected);
   try
   {

@@ -264,6 +264,46 @@ TEST_F(PlanCommand, AnOlderFileGoesOnWorkingAndWhatItLacksIsTold)
   EXPECT_NE(outcome.err.find("\nplan: succeeded"), std::string::npos) << outcome.err;
 }
 
+TEST_F(PlanCommand, UnseenCellsThatBecomeFreeAreToldAndPlannedThrough)
+{
+  OccupancyGrid unseen = room();
+  occupy_block(unseen, 40, 20, 10, 10);
+  for (std::int8_t& cell : unseen.data)
+    if (cell == 0) cell = -1;
+  write_map_file(unseen, path("room"));
+  std::string yaml = content_of(path("room.yaml"));
+  yaml.replace(yaml.find("0.196"), 5, "0.25");
+  std::ofstream(path("nav2.yaml")) << yaml << "mode: trinary\n";
+  const Words poses = {"--start", "1.5,1.5,0", "--goal", "3,4,0"};
+  const Outcome outcome = run(poses + Words{"--map", path("nav2.yaml")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto unseen_cells = std::count(unseen.data.begin(), unseen.data.end(), -1);
+  EXPECT_EQ(outcome.err.find("plan: warning: " + path("nav2.yaml") + ": free_thresh is 0.25, "), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find("free: " + std::to_string(unseen_cells) + " of 6000 pixels"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(run(poses + Words{"--map", path("room.yaml")}).status, 1);
+}
+
+TEST_F(PlanCommand, PathsMayLieAtHomeAndHaveSpaces)
+{
+  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+  const std::string folder = path("at home");
+  fs::create_directory(folder);
+  write_map_file(room(), folder + "/my room");
+  fs::copy_file(FOURWIS_SOURCE_DIR "/config/robot.yaml", folder + "/my robot.yaml");
+  fs::copy_file(FOURWIS_SOURCE_DIR "/config/planner.yaml", folder + "/my planner.yaml");
+  setenv("HOME", folder.c_str(), 1);
+  const Outcome outcome = run({"--map", "~/my room.yaml", "--robot", "~/my robot.yaml", "--planner",
+                               "~/my planner.yaml", "--start", "1.5,1.5,0", "--goal", "5,4,1.5708", "--svg",
+                               "~/my plan.svg", "--csv", "~/my plan.csv", "--json=~/my plan.json"});
+  const Outcome refused = run({"--map", "~/my room.yaml", "--json", "~/why.json"});
+  setenv("HOME", home.c_str(), 1);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* file : {"/my plan.svg", "/my plan.csv", "/my plan.json", "/why.json"})
+    EXPECT_TRUE(fs::exists(folder + file)) << file;
+  EXPECT_EQ(refused.status, 2);
+}
+
 TEST_F(PlanCommand, AMillimetreIsPlanned)
 {
   for (const std::string goal : {"1.501,1.5,0", "1.5,1.501,0", "1.5,1.5,0.001", "1.5,1.5,0"})

@@ -114,6 +114,44 @@ TEST_F(MapFile, RejectsWhatIsNotAMapFile)
   }
 }
 
+TEST_F(MapFile, TellsWhereAThresholdMakesUnseenCellsFree)
+{
+  const auto warning_of = [&](const std::map<std::string, std::string>& changes, const std::string& image) {
+    write_bytes(folder_ / "map.pgm", image);
+    std::string warning;
+    read_map_file(write_yaml(changes), &warning);
+    return warning;
+  };
+  // What nav2's and slam_toolbox's map savers write.
+  const std::map<std::string, std::string> nav2{{"mode", "trinary"}, {"free_thresh", "0.25"}};
+  EXPECT_EQ(read_image_bytes(small_pgm, nav2).data, (std::vector<std::int8_t>{0, 0, 100, 100, 0, 0}));
+  EXPECT_EQ(warning_of(nav2, small_pgm),
+            (folder_ / "map.yaml") +
+                ": free_thresh is 0.25, so what map savers write for unseen (grey 205, occupied with 0.1961) becomes "
+                "free: 1 of 6 pixels; expected at most 0.196 where these shall stay unknown");
+  EXPECT_NE(warning_of({{"mode", "scale"}, {"free_thresh", "0.2"}}, small_pgm), "");
+  EXPECT_EQ(warning_of({}, small_pgm), "") << "stays unknown";
+  EXPECT_EQ(warning_of({{"free_thresh", "0.196"}}, small_pgm), "") << "stays unknown";
+  EXPECT_EQ(warning_of({{"free_thresh", "0.25"}, {"mode", "raw"}}, small_pgm), "") << "no thresholds";
+  EXPECT_EQ(warning_of({{"free_thresh", "0.25"}, {"negate", "1"}}, small_pgm), "") << "occupied";
+  EXPECT_EQ(warning_of({{"free_thresh", "0.25"}}, pgm(2, 1, "\xfe\xce")), "") << "nothing unseen";
+}
+
+TEST_F(MapFile, FindsFileAndImageInTheHomeDirectory)
+{
+  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+  std::filesystem::create_directory(folder_ / "my maps");
+  setenv("HOME", (folder_ / "my maps").c_str(), 1);
+  write_bytes(folder_ / "my maps/map.pgm", small_pgm);
+  write_yaml({{"image", "~/map.pgm"}});
+  EXPECT_EQ(read_map_file(folder_ / "map.yaml").data, small_cells);
+  std::filesystem::rename(folder_ / "map.yaml", folder_ / "my maps/map.yaml");
+  EXPECT_EQ(read_map_file("~/map.yaml").data, small_cells);
+  EXPECT_EQ(message_of([] { read_map_file("~/none.yaml"); }),
+            (folder_ / "my maps/none.yaml") + ": file: expected an existing file");
+  setenv("HOME", home.c_str(), 1);
+}
+
 std::vector<int> meanings(const OccupancyGrid& grid)
 {
   std::vector<int> result;

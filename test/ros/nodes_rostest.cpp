@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include <actionlib_msgs/GoalStatusArray.h>
@@ -16,6 +19,8 @@ namespace fourwis
 {
 namespace
 {
+
+namespace fs = std::filesystem;
 
 const std::string kConfig = FOURWIS_SOURCE_DIR "/config/";
 
@@ -173,6 +178,63 @@ TEST(MapPublisherNode, publishes_latched_what_the_file_says)
   EXPECT_EQ(asked.response.map, *map);
 }
 
+/// A folder with a space in its name that is the home directory of the nodes started meanwhile.
+class Home
+{
+public:
+  Home() : before_(std::getenv("HOME") ? std::getenv("HOME") : "")
+  {
+    fs::create_directory(folder_);
+    setenv("HOME", folder_.c_str(), 1);
+  }
+  ~Home()
+  {
+    setenv("HOME", before_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
+  std::string operator/(const std::string& name) const { return (folder_ / name).string(); }
+
+private:
+  const std::string before_;
+  const fs::path folder_ = fs::path(testing::TempDir()) / "fourwis nodes";
+};
+
+TEST(MapPublisherNode, finds_a_file_in_the_home_directory_also_with_spaces)
+{
+  const Home home;
+  const OccupancyGrid grid = free_grid(7, 5, 0.05);
+  write_map_file(grid, home / "my map");
+  for (const std::string& argument :
+       {std::string("_map_file:=~/my map.yaml"), std::string("~/my map.yaml"), "_map_file:=" + (home / "my map.yaml")})
+  {
+    SCOPED_TRACE(argument);
+    NodeProcess node("map_publisher_node", {argument, "map:=/homely", "__name:=homely"});
+    const auto map = said_on<nav_msgs::OccupancyGrid>("homely");
+    ASSERT_TRUE(map);
+    expect_same(*map, grid);
+    ros::param::del("/homely");
+  }
+}
+
+TEST(MapPublisherNode, warns_of_unseen_cells_that_become_free)
+{
+  const Home home;
+  OccupancyGrid grid = free_grid(7, 5, 0.05);
+  grid.data[3] = grid.data[20] = -1;
+  write_map_file(grid, home / "map");
+  std::ofstream(home / "nav2.yaml") << "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                                       "occupied_thresh: 0.65\nfree_thresh: 0.25\n";
+  NodeProcess node("map_publisher_node", {home / "nav2.yaml", "map:=/opened", "__name:=opened"});
+  const auto map = said_on<nav_msgs::OccupancyGrid>("opened");
+  ASSERT_TRUE(map);
+  EXPECT_EQ(std::count(map->data.begin(), map->data.end(), 0), 35);
+  node.terminate();
+  const std::string output = node.read_to_end();
+  EXPECT_NE(output.find("nav2.yaml: free_thresh is 0.25"), std::string::npos) << output;
+  EXPECT_NE(output.find("becomes free: 2 of 35 pixels"), std::string::npos) << output;
+  EXPECT_NE(output.find("WARN"), std::string::npos) << output;
+}
+
 TEST(MapPublisherNode, a_bad_file_stops_it_in_one_line_that_names_it)
 {
   expect_ends_with("map_publisher_node", {"/nowhere/map.yaml"}, "/nowhere/map.yaml");
@@ -206,6 +268,8 @@ TEST(OctomapProjectorNode, publishes_latched_the_height_band_of_the_file)
 TEST(OctomapProjectorNode, a_bad_file_stops_it_in_one_line_that_names_it)
 {
   expect_ends_with("octomap_projector_node", {"_octomap_file:=/nowhere/tree.bt"}, "/nowhere/tree.bt");
+  const Home home;
+  expect_ends_with("octomap_projector_node", {"_octomap_file:=~/no tree.bt"}, home / "no tree.bt");
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ void check(const BaseSimulatorNodeOptions& options);
 /// What map_publisher_node is configured with, in its private namespace.
 struct MapPublisherOptions
 {
-  std::string map_file;  ///< map_server's YAML; the node's first argument stands in for a missing key
+  std::string map_file;  ///< map_server's YAML, perhaps "~/..."; the node's first argument stands in for a missing key
   std::string frame_id = "map";
 
   /// The table of the options; see model/option_check.h.
@@ -203,7 +203,7 @@ struct MapPublisherOptions
 /// What octomap_projector_node is configured with, in its private namespace.
 struct OctomapProjectorOptions
 {
-  std::string octomap_file;  ///< .bt or .ot
+  std::string octomap_file;  ///< .bt or .ot, perhaps "~/..."
   HeightBand band;
   std::string frame_id = "map";
 

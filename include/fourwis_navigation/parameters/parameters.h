@@ -25,7 +25,7 @@ using ParameterValue = std::variant<bool, double, std::string>;
 /// A flat list of keys, wherever it came from (YAML file, ROS parameter server). Nested maps are flattened with '/'.
 using ParameterMap = std::map<std::string, ParameterValue>;
 
-/// Reads a YAML file. Throws ConfigError naming the file and the line.
+/// Reads a YAML file; its path may begin with "~/". Throws ConfigError naming the file and the line.
 ParameterMap read_parameter_file(const std::string& path);
 
 /// The keys of `config/robot.yaml` are the names of Robot's members, SI units and radians. One that is missing takes its

@@ -10,7 +10,10 @@ int main(int argc, char** argv)
   return fourwis::node_main([&] {
     const auto options =
         fourwis::map_publisher_options_from(fourwis::read_parameters(ros::NodeHandle("~")), argc > 1 ? argv[1] : "");
-    const fourwis::MapPublisher publisher(fourwis::read_map_file(options.map_file), options.frame_id);
+    std::string warning;
+    const fourwis::OccupancyGrid grid = fourwis::read_map_file(options.map_file, &warning);
+    if (!warning.empty()) fourwis::warn({warning});
+    const fourwis::MapPublisher publisher(grid, options.frame_id);
     ros::spin();
   });
 }
