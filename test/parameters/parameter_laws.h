@@ -67,8 +67,14 @@ struct Subject
 inline std::string another_word(const std::string& word)
 {
   static const std::map<std::string, std::string> known = {
-      {"cia402", "ranger"}, {"cyclic", "profile"}, {"structured", "ipopt"},
-      {"default", "paper"}, {"tf", "initialpose"}, {"ackermann,lateral,parallel", "lateral"}};
+      {"cia402", "ranger"},
+      {"cyclic", "profile"},
+      {"structured", "ipopt"},
+      {"default", "paper"},
+      {"tf", "initialpose"},
+      {"[0, 0]", "[0.05, 0.02]"},
+      {"[]", "[[0.5, 0.4], [-0.5, 0.4], [-0.5, -0.4], [0.5, -0.4]]"},
+      {"ackermann,lateral,parallel", "lateral"}};
   const auto found = known.find(word);
   return found == known.end() ? word + "x" : found->second;
 }

@@ -43,7 +43,10 @@ Subject<Robot> subject_of()
            {"wheel_max_angle", [](const Robot& r) { return r.wheel_max_angle; }, {0.01, 10.0}},
            {"wheel_max_rate", [](const Robot& r) { return r.wheel_max_rate; }, {0.01, 100.0}},
            {"wheel_max_speed", [](const Robot& r) { return r.wheel_max_speed; }, {0.01, 50.0}},
-           {"safety_margin", [](const Robot& r) { return r.safety_margin; }, {0.0, 1.0}}},
+           {"safety_margin", [](const Robot& r) { return r.safety_margin; }, {0.0, 1.0}},
+           {"body_offset", [](const Robot& r) { return r.body_offset.x + 10.0 * r.body_offset.y; }},
+           {"footprint", [](const Robot& r) { return double(r.footprint.size()); }},
+           {"base_offset", [](const Robot& r) { return r.base_offset.x + 10.0 * r.base_offset.y; }}},
           with_fitting_wheels};
 }
 

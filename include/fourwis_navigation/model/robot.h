@@ -73,9 +73,6 @@ struct Robot
   {
     row("length", o.length, 0.05, 20.0, "m");
     row("width", o.width, 0.05, 20.0, "m");
-    row("body_offset", o.body_offset, PointText{20.0});
-    row("footprint", o.footprint, PolygonText{20.0});
-    row("base_offset", o.base_offset, PointText{20.0});
     row("wheelbase", o.wheelbase, 0.01, 20.0, "m");
     row("track_width", o.track_width, 0.01, 20.0, "m");
     row("max_steering_angle", o.max_steering_angle, 0.01, M_PI * 80 / 180, "rad");
@@ -87,6 +84,9 @@ struct Robot
     row("wheel_max_rate", o.wheel_max_rate, 0.01, 100.0, "rad/s");
     row("wheel_max_speed", o.wheel_max_speed, 0.01, 50.0, "m/s");
     row("safety_margin", o.safety_margin, 0.0, 1.0, "m");
+    row("body_offset", o.body_offset, PointText{20.0});
+    row("footprint", o.footprint, PolygonText{20.0});
+    row("base_offset", o.base_offset, PointText{20.0});
   }
 };
 
