@@ -18,6 +18,59 @@ constexpr double kAccuracy = 1e-6;
 /// Corners of a body that are kept without asking for memory.
 constexpr std::size_t kCorners = 64;
 
+/// One side of a convex outline, followed from its lowest corner to its highest.
+class Side
+{
+public:
+  /// Of corners that follow one another counter-clockwise: so do those of the right side, those of the left one the other way.
+  Side(const Point2* corners, std::size_t count, std::size_t lowest, bool counter_clockwise)
+    : corners_(corners),
+      count_(count),
+      counter_clockwise_(counter_clockwise),
+      next_(lowest),
+      left_(count)
+  {
+    u_ = corners_[lowest].x;
+    advance();
+  }
+
+  /// Goes up to a height that is not below the one before, and adds where the side was on the way there.
+  void follow(double height, Extent& covered)
+  {
+    covered.add(u_);
+    while (left_ > 0 && corners_[next_].y <= height)
+    {
+      u_ = corners_[next_].x;
+      covered.add(u_);
+      advance();
+    }
+    if (left_ == 0) return;
+    u_ = base_u_ + slope_ * (height - base_v_);
+    covered.add(u_);
+  }
+
+private:
+  /// To the edge that begins at the next corner.
+  void advance()
+  {
+    const Point2& from = corners_[next_];
+    next_ = counter_clockwise_ ? (next_ + 1 == count_ ? 0 : next_ + 1) : (next_ == 0 ? count_ - 1 : next_ - 1);
+    --left_;
+    base_u_ = from.x;
+    base_v_ = from.y;
+    const double rise = corners_[next_].y - from.y;
+    if (rise < 0.0) left_ = 0;  // over the top
+    slope_ = rise > 0.0 ? (corners_[next_].x - from.x) / rise : 0.0;
+  }
+
+  const Point2* corners_;
+  const std::size_t count_;
+  const bool counter_clockwise_;
+  std::size_t next_, left_;  ///< the corner ahead, and how many there are
+  double u_;                 ///< where the side is now
+  double base_u_ = 0.0, base_v_ = 0.0, slope_ = 0.0;
+};
+
 /// A body at a pose, in cells.
 class Outline
 {
@@ -32,6 +85,7 @@ public:
       map.to_cells(place.x + p.x * place.cosine - p.y * place.sine, place.y + p.x * place.sine + p.y * place.cosine,
                    corner.x, corner.y);
       across_.add(corner.x);
+      if (corner.y < along_.least) lowest_ = i;
       along_.add(corner.y);
     }
   }
@@ -51,9 +105,15 @@ public:
     if (!(across_.least <= map.width() && across_.greatest >= 0.0)) return;
     const double top = std::min(along_.greatest, static_cast<double>(map.height()));
     const int last_row = static_cast<int>(std::ceil(top - kTouch)) - 1;
-    for (int row = static_cast<int>(std::floor(std::max(0.0, along_.least + kTouch))); row <= last_row; ++row)
+    int row = static_cast<int>(std::floor(std::max(0.0, along_.least + kTouch)));
+    Side left(corners_.data(), count_, lowest_, false), right(corners_.data(), count_, lowest_, true);
+    Extent below;
+    if (row > along_.least) left.follow(row, below), right.follow(row, below);
+    for (; row <= last_row; ++row)
     {
-      const Extent covered = extent_between(corners_.data(), count_, row, row + 1.0);
+      Extent covered;
+      left.follow(row + 1.0, covered);
+      right.follow(row + 1.0, covered);
       const int first = static_cast<int>(std::floor(std::max(0.0, covered.least + kTouch)));
       const int last = static_cast<int>(std::ceil(std::min<double>(map.width(), covered.greatest) - kTouch)) - 1;
       if (first <= last && !visit(row, first, last)) return;
@@ -62,7 +122,7 @@ public:
 
 private:
   std::array<Point2, kCorners> corners_;
-  std::size_t count_;
+  std::size_t count_, lowest_ = 0;
   Extent across_, along_;  ///< all of it, in columns and in rows
 };
 
@@ -78,7 +138,7 @@ bool is_clear(const ObstacleMap& map, const ConvexPolygon& body, const Placed& p
   const Outline outline(map, body, place);
   if (!outline.lies_in(map)) return false;
   bool clear = true;
-  outline.for_rows(map, [&](int row, int first, int last) { return clear = map.next_obstacle(first, row) > last; });
+  outline.for_rows(map, [&](int row, int first, int last) { return clear = map.is_free_row(first, last, row); });
   return clear;
 }
 

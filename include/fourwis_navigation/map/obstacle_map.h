@@ -38,6 +38,16 @@ public:
   /// grid, and the column must not be negative.
   int next_obstacle(int column, int row) const;
 
+  /// Whether none of the cells from `first` to `last` of a row is an obstacle. They must lie in the grid.
+  bool is_free_row(int first, int last, int row) const
+  {
+    const RowNeighbours* cells = neighbours_.data() + index(0, row);
+    // Distances are cut at what a RowNeighbours holds, so a look may end on the way.
+    for (int column = first; column <= last; column += cells[column].right)
+      if (cells[column].right == 0) return false;
+    return true;
+  }
+
   /// Position in cells of a point in the map frame: (0, 0) is the origin, (1, 1) the far corner of cell (0, 0).
   void to_cells(double x, double y, double& column, double& row) const;
 
