@@ -1,12 +1,16 @@
 #include "candidates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace fourwis
 {
 namespace
 {
 
+/// Share of the greatest curvature that wide curves have.
+constexpr double kWideCurves = 0.7;
 /// Share of the penalties of steering and reversing that the softened costs keep.
 constexpr double kSoftened = 0.2;
 
@@ -58,6 +62,24 @@ std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOpti
     variants.push_back({"ackermann by time", car, time_costs(robot, options, 0.0)});
   if (modes.contains(kCarMode)) variants.push_back({"ackermann softened", car, time_costs(robot, options, kSoftened)});
   return variants;
+}
+
+bool steers_slowly(const Robot& robot, const SearchOptions& options)
+{
+  return options.v_ref(robot) * 2.0 * robot.max_steering_angle / robot.max_steering_rate > robot.motion_size();
+}
+
+Robot with_wide_curves(Robot robot)
+{
+  robot.max_steering_angle = std::atan(kWideCurves * std::tan(robot.max_steering_angle));
+  return robot;
+}
+
+void add(Candidates&& more, Candidates& found)
+{
+  if (found.status != PlanStatus::succeeded) found.status = more.status;
+  found.expansions += more.expansions;
+  std::move(more.candidates.begin(), more.candidates.end(), std::back_inserter(found.candidates));
 }
 
 Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,

@@ -41,10 +41,20 @@ struct Candidates
 /// that stand for time, and with Ackermann motion by softened costs.
 std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
 
+/// Whether a robot that goes at the reference speed needs a way longer than its own size to steer from one lock to the other.
+/// Between curves at full lock it has to stop then: no other motion leads to the same place.
+bool steers_slowly(const Robot& robot, const SearchOptions& options);
+
+/// The same robot with curves so wide that they can be joined while it moves.
+Robot with_wide_curves(Robot robot);
+
 /// What they find, with a quick search for each at the same time. With more effort the first variant is searched with first, in
 /// both directions; the others follow where it finds something, and where it does not, a thorough search with it. Poses that
 /// the first expands are appended to `expanded` where it is not null.
 Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,
                            ThreadBudget& threads, std::vector<Pose>* expanded = nullptr);
+
+/// Adds what another search found.
+void add(Candidates&& more, Candidates& found);
 
 }  // namespace fourwis

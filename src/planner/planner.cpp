@@ -50,11 +50,19 @@ struct Question
   PlanTrace* trace;
 };
 
-/// The same with what decides which poses are free, from a start that is.
+/// What decides which poses are free.
+struct Checkers
+{
+  const CollisionChecker& all;   ///< for the robot
+  const CollisionChecker* wide;  ///< for the same with wide curves, where it steers slowly
+};
+
+/// The same with that, from a start that is free.
 struct Task
 {
-  Task(const Question& question, const std::optional<PathPiece>& way_out_of_obstacles, const CollisionChecker& checker)
-    : context{question.world, question.options, checker, question.interrupt, question.threads},
+  Task(const Question& question, const std::optional<PathPiece>& way_out_of_obstacles, const Checkers& checkers)
+    : context{question.world, question.options, checkers.all, question.interrupt, question.threads},
+      wide_curves(checkers.wide),
       request(question.request),
       asked(question.asked),
       way_out(way_out_of_obstacles),
@@ -62,6 +70,7 @@ struct Task
   {}
 
   PlanContext context;
+  const CollisionChecker* wide_curves;
   const PlanRequest& request;
   const PlanRequest& asked;
   const std::optional<PathPiece>& way_out;  ///< of obstacles that the body overlaps at the start
@@ -91,6 +100,9 @@ Trajectory stay_at(const Pose& pose, const ModeSet& modes)
   return {point};
 }
 
+/// Share of the expansions that a thorough search with wide curves may use.
+constexpr double kShareOfWideCurves = 0.25;
+
 /// The one variant that finds the paper's path, or those whose paths are worth optimising.
 std::vector<SearchVariant> variants(const Task& task)
 {
@@ -99,14 +111,40 @@ std::vector<SearchVariant> variants(const Task& task)
   return variants_by_time(task.context.robot(), options, task.request.modes);
 }
 
+Candidates find_with(const Task& task, const CollisionChecker& checker, const std::vector<SearchVariant>& variants,
+                     Effort effort)
+{
+  const Search search({checker, task.start(), task.request.goal, task.context.interrupt});
+  return find_candidates(search, variants, effort, task.context.threads, task.trace ? &task.trace->expanded : nullptr);
+}
+
+/// With wide curves; the names say so.
+Candidates find_wide_curves(const Task& task, Effort effort)
+{
+  std::vector<SearchVariant> wide = variants(task);
+  for (SearchVariant& variant : wide)
+    variant.options.max_expansions = std::max(1, static_cast<int>(kShareOfWideCurves * variant.options.max_expansions));
+  Candidates found = find_with(task, *task.wide_curves, wide, effort);
+  for (Candidate& candidate : found.candidates) candidate.name += " in wide curves";
+  return found;
+}
+
+/// By quick searches both with wide curves, where those matter, and with all; by thorough ones rather with wide curves.
+Candidates find_any(const Task& task, Effort effort)
+{
+  Candidates found;
+  if (task.wide_curves) found = find_wide_curves(task, effort);
+  if (effort == Effort::quick || found.status == PlanStatus::no_path)
+    add(find_with(task, task.context.checker, variants(task), effort), found);
+  return found;
+}
+
 /// Paths from start to goal; the result says how the search went.
 std::vector<Candidate> find(const Task& task, Effort effort, PlanResult& result)
 {
   const PlanClock::time_point begin = PlanClock::now();
   const PlanContext& context = task.context;
-  const Search search({context.checker, task.start(), task.request.goal, context.interrupt});
-  Candidates found =
-      find_candidates(search, variants(task), effort, context.threads, task.trace ? &task.trace->expanded : nullptr);
+  Candidates found = find_any(task, effort);
   result.metrics.expansions += found.expansions;
   result.metrics.frontend_ms += ms_since(begin);
   result.status = context.interrupt.cancelled() ? PlanStatus::cancelled : found.status;
@@ -240,16 +278,20 @@ PlanResult plan_between(const Question& question, const std::optional<PathPiece>
     judge(world, request, {stay_at(request.start, request.modes)}, result);
     return result;
   }
-  const CollisionChecker two_discs(world.obstacles, world.robot);
+  const bool has_wide_curves = !paper && !request.frontend_only && steers_slowly(world.robot, question.options.search);
+  const Robot wide = with_wide_curves(world.robot);
+  const CollisionChecker two_discs(world.obstacles, world.robot), wide_two_discs(world.obstacles, wide);
   const Pose start = start_of(world.robot, request, way_out);
   result.status = PlanStatus::no_path;
   if (paper || (two_discs.is_free(start) && two_discs.is_free(request.goal)))
-    try_to_plan({question, way_out, two_discs}, paper ? Effort::thorough : Effort::quick, result);
+    try_to_plan({question, way_out, {two_discs, has_wide_curves ? &wide_two_discs : nullptr}},
+                paper ? Effort::thorough : Effort::quick, result);
   const bool found_nothing = result.status == PlanStatus::no_path || result.status == PlanStatus::goal_unreachable;
   if (found_nothing && !paper)
   {
     const CollisionChecker body(world.obstacles, world.robot, {start, request.goal});
-    try_to_plan({question, way_out, body}, Effort::thorough, result);
+    const CollisionChecker wide_body(world.obstacles, wide, {start, request.goal});
+    try_to_plan({question, way_out, {body, has_wide_curves ? &wide_body : nullptr}}, Effort::thorough, result);
   }
   if (result.message.empty()) result.message = search_sentence(world, result, question.asked);
   return result;
