@@ -129,15 +129,26 @@ PlanResult plan(const OccupancyGrid& grid, const Robot& robot, const Pose& start
   return Planner(options).plan(World(grid, robot, options), {start, goal, modes});
 }
 
-/// Points at which the robot rests though neither its mode nor its direction changes there. In parallel motion the direction
-/// is that of the wheels, which may have to turn at rest.
+/// Rests of the robot at which neither its mode nor its direction changes. In parallel motion the direction is that of the
+/// wheels, which may have to turn at rest.
 int needless_stops(const Trajectory& points)
 {
   int stops = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (std::abs(points[i].v) < 1e-3 && points[i - 1].mode == points[i].mode && points[i].mode == points[i + 1].mode &&
-        points[i - 1].v * points[i + 1].v > 0.0 && std::abs(points[i + 1].phi - points[i - 1].phi) < M_PI_2)
+  const TrajectoryPoint* moving = nullptr;  // the last point before the rest
+  bool rests = false;
+  for (const TrajectoryPoint& point : points)
+  {
+    if (std::abs(point.v) < 1e-3)
+    {
+      rests = true;
+      continue;
+    }
+    if (rests && moving && moving->mode == point.mode && moving->v * point.v > 0.0 &&
+        std::abs(point.phi - moving->phi) < M_PI_2)
       ++stops;
+    moving = &point;
+    rests = false;
+  }
   return stops;
 }
 
@@ -271,15 +282,7 @@ const ModeSet kAckermann = {Mode::ackermann};
 INSTANTIATE_TEST_SUITE_P(
     Sizes, OnceFailing,
     testing::Values(Case{"a car along the kerb", kerb(), {5.0, 4.0, 0.0}, {11.0, 1.3, 0.0}, as_a_car, kAckermann},
-                    Case{"a car along the kerb, all modes",
-                         kerb(),
-                         {5.0, 4.0, 0.0},
-                         {11.0, 1.3, 0.0},
-                         as_a_car,
-                         {},
-                         INFINITY,
-                         kFewExpansions,
-                         kStillStops},
+                    Case{"a car along the kerb, all modes", kerb(), {5.0, 4.0, 0.0}, {11.0, 1.3, 0.0}, as_a_car},
                     Case{"a car into a bay", bays(), {5.0, 8.5, 0.0}, {11.95, 2.9, M_PI_2}, as_a_car, kAckermann},
                     Case{"a car into a bay, all modes", bays(), {5.0, 8.5, 0.0}, {11.95, 2.9, M_PI_2}, as_a_car},
                     Case{
