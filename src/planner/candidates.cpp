@@ -9,8 +9,8 @@ namespace fourwis
 namespace
 {
 
-/// Share of the greatest curvature that wide curves have.
-constexpr double kWideCurves = 0.7;
+/// Share of the greatest curvature that wide curves have, and the least steering angle at all, as of a robot [rad].
+constexpr double kWideCurves = 0.7, kLeastSteering = 0.01;
 /// Share of the penalties of steering and reversing that the softened costs keep.
 constexpr double kSoftened = 0.2;
 
@@ -71,7 +71,8 @@ bool steers_slowly(const Robot& robot, const SearchOptions& options)
 
 Robot with_wide_curves(Robot robot)
 {
-  robot.max_steering_angle = std::atan(kWideCurves * std::tan(robot.max_steering_angle));
+  const double angle = std::atan(kWideCurves * std::tan(robot.max_steering_angle));
+  robot.max_steering_angle = std::min(robot.max_steering_angle, std::max(kLeastSteering, angle));
   return robot;
 }
 

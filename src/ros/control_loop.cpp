@@ -128,6 +128,7 @@ void ControlLoop::restart(double back)
   tracker_.emplace(parameters_.robot, parameters_.track);
   stop_.reset();
   next_.reset();
+  permit_ = {};
   trajectory_ = first_ = newest_ = stepped_ = ros::Time();
   number_ = 0;
 }
@@ -169,6 +170,16 @@ void ControlLoop::start(const WaitingTrajectory& due)
   trajectory_ = due.stamp;
 }
 
+/// A permit that tells a stamp which this controller has not sent yet is none.
+DrivePermission ControlLoop::permission(const ros::Time& now) const
+{
+  if (!parameters_.node.require_permit) return {};
+  const double age = seconds_between(permit_.heard, now);
+  if (permit_.trajectory != trajectory_ || permit_.heard.isZero() || !(age >= 0.0))
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  return {permit_.free_until, age};
+}
+
 ControlStep ControlLoop::step(const ros::Time& now)
 {
   using Clock = std::chrono::steady_clock;
@@ -181,6 +192,7 @@ ControlStep ControlLoop::step(const ros::Time& now)
   result.enabled = input_.wheels.state == BaseState::enabled;
   result.speed = speed_;
   input_.now = now.toSec();
+  input_.permission = permission(now);
   const Clock::time_point start = Clock::now();
   result.output = tracker_->step(input_);
   result.solve_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();

@@ -8,6 +8,7 @@
 #include <ros/time.h>
 #include <tf2/buffer_core.h>
 
+#include "fourwis_navigation/DrivePermit.h"
 #include "fourwis_navigation/ModeTrajectory.h"
 #include "fourwis_navigation/WheelStates.h"
 #include "fourwis_navigation/parameters/node_parameters.h"
@@ -53,6 +54,9 @@ public:
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
                                       const fourwis_navigation::WheelStates& wheels);
 
+  /// A permit for the trajectory that is driven, or that comes next. One for another does nothing.
+  void take_permit(const fourwis_navigation::DrivePermit& permit) { permit_ = permit; }
+
   // Stamps of what arrives, paired or not: only to say what is missing.
   void heard_odometry(const ros::Time& stamp) { newest_odometry_ = stamp; }
   void heard_wheel_states(const ros::Time& stamp) { newest_wheel_states_ = stamp; }
@@ -86,6 +90,7 @@ private:
   void stop_or_start(const ros::Time& now);
   void start(const WaitingTrajectory& due);
   void locate(const nav_msgs::Odometry& odometry);
+  DrivePermission permission(const ros::Time& now) const;
   ControlStep step(const ros::Time& now);
 
   const MpcControllerParameters parameters_;
@@ -102,6 +107,7 @@ private:
   ros::Time stepped_;         ///< the last step
   std::uint64_t number_ = 0;  ///< of it
   TrackInput input_;
+  fourwis_navigation::DrivePermit permit_;  ///< the last one
   double speed_ = 0.0;
   std::string problem_;
 };

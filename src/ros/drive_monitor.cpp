@@ -46,6 +46,7 @@ void DriveMonitor::reported(const Tracking& tracking, const ros::Time& now)
   told_ = tracking.message;
   if (!ended()) follow(tracking, stamp);
   if (tracking.state == Tracking::REFUSED) return;
+  newest_stamp_ = tracking.header.stamp;
   watch_rest(tracking, stamp);
   watch_base(tracking, stamp);
 }
@@ -115,6 +116,12 @@ DriveReport DriveMonitor::report(const ros::Time& now) const
   if (silent(now)) return lost("has not been heard on topic 'tracking'", patience_);
   if (!pending || now.toSec() - due_.toSec() <= patience_) return report_;
   return lost(kind_ == Kind::stop ? "has not come to rest" : "has not begun the trajectory", patience_, told_);
+}
+
+ros::Time DriveMonitor::newest_stamp() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return newest_stamp_;
 }
 
 std::optional<ros::Time> DriveMonitor::at_rest_since(const ros::Time& now) const

@@ -47,6 +47,9 @@ public:
 
   DriveReport report(const ros::Time& now) const;
 
+  /// header.stamp of the newest report of what is driven: the controller's own clock.
+  ros::Time newest_stamp() const;
+
   /// Since when the robot stands still, with nothing before it that could begin; empty when it does not, or that is not known.
   std::optional<ros::Time> at_rest_since(const ros::Time& now) const;
 
@@ -75,9 +78,10 @@ private:
   const double patience_;
   mutable std::mutex mutex_;
   Kind kind_ = Kind::nothing;
-  ros::Time stamp_;      ///< of what was sent
-  ros::Time due_;        ///< when it should begin
-  ros::Time heard_;      ///< when the controller was last heard, or given something to say
+  ros::Time stamp_;  ///< of what was sent
+  ros::Time due_;    ///< when it should begin
+  ros::Time heard_;  ///< when the controller was last heard, or given something to say
+  ros::Time newest_stamp_;
   std::string told_;     ///< the controller's last message
   bool enabled_ = true;  ///< whether the base lets itself be driven
   ros::Time disabled_;   ///< when it last did not; zero: never heard that it did not

@@ -1,6 +1,8 @@
 #include "execution.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -18,6 +20,11 @@ using fourwis_navigation::PlannerStatus;
 
 /// A person who enables a base does not expect it to go on to an earlier goal.
 constexpr const char* kDisabled = "the base was not enabled at some time since the goal was given; give a new one";
+
+/// Between two permits [s].
+constexpr double kPermitPeriod = 0.05;
+/// A map that has been waiting longer to be built may hold anything [s].
+constexpr double kLongestMapDelay = 1.0;
 
 /// Between two looks at the controller's reports and the maps: nothing wakes this thread when they change.
 void poll_pause()
@@ -118,20 +125,33 @@ Execution::Ended Execution::drive(ActiveGoal& active)
     if (report.phase == DrivePhase::driving && !std::exchange(announced, true))
       topics_.publish_progress(active.goal.asked, PlannerStatus::DRIVING, "driving", "driving");
     if (is_blocked(active, report.t, checked)) return std::nullopt;
+    permit(*checked, std::numeric_limits<double>::infinity());
   }
   return cancelled(active);
 }
 
-bool Execution::is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked) const
+bool Execution::is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked)
 {
   const MapStore::Snapshot map = maps_.newest();
   if (map == checked) return false;
   checked = map;
   const auto violation = map->world.first_violation_from(t, active.trajectory);
   if (!violation) return false;
+  permit(*map, violation->t);
   active.reason_stamp = plausible(map->stamp, ros::Time::now(), options_.transform_tolerance);
   active.reason = "the way is blocked: " + violation->what;
   return true;
+}
+
+/// Each permit answers a report of the controller, and only while no map waits for long: whatever hangs, what hears the
+/// controller, builds the maps or runs here, ends the permits.
+void Execution::permit(const MapSnapshot& checked, double free_until)
+{
+  const ros::Time heard = monitor_.newest_stamp();
+  const double since = heard.toSec() - permitted_.toSec();
+  if ((since >= 0.0 && since < kPermitPeriod && std::isinf(free_until)) || maps_.waiting() > kLongestMapDelay) return;
+  permitted_ = heard;
+  topics_.publish_permit(sent_, checked.stamp, free_until, heard);
 }
 
 Execution::Ended Execution::given_up(ActiveGoal& active, const DriveReport& report)

@@ -76,7 +76,9 @@ private:
   Ended send(ActiveGoal& active, const PlanAnswer& answer, const ros::Time& begin);
   Ended given_up(ActiveGoal& active, const DriveReport& report);
   /// Looks at each map once: an obstacle on the way from t [s] on is the reason to plan anew.
-  bool is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked) const;
+  bool is_blocked(ActiveGoal& active, double t, MapStore::Snapshot& checked);
+  /// Lets the controller drive on as far as the way is known to be free on the map that was checked.
+  void permit(const MapSnapshot& checked, double free_until);
   GoalOutcome arrived(const ActiveGoal& active, const DriveReport& report);
   GoalOutcome failed(const ActiveGoal& active, const std::string& message);
   GoalOutcome cancelled(const ActiveGoal& active);
@@ -89,7 +91,8 @@ private:
   const MapPlanner& planner_;
   DriveMonitor& monitor_;
   PlannerTopics& topics_;
-  ros::Time sent_;  ///< header.stamp of the trajectory or stop that was sent last
+  ros::Time permitted_;  ///< the controller's stamp that the last permit told
+  ros::Time sent_;       ///< header.stamp of the trajectory or stop that was sent last
 };
 
 }  // namespace fourwis

@@ -62,6 +62,9 @@ void MapStore::enqueue(const std::function<void(Arrivals&)>& insert)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     insert(arrivals_);
+    const Clock::time_point now = Clock::now();
+    if (handled_ == arrived_) oldest_ = now;
+    if (taken_ == arrived_) next_ = now;
     ++arrived_;
   }
   changed_.notify_all();
@@ -71,6 +74,12 @@ MapStore::Snapshot MapStore::newest() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   return newest_;
+}
+
+double MapStore::waiting() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return handled_ == arrived_ ? 0.0 : std::chrono::duration<double>(Clock::now() - oldest_).count();
 }
 
 MapStore::Snapshot MapStore::wait_for_newest(const std::atomic<bool>& cancelled) const
@@ -90,11 +99,12 @@ void MapStore::run()
     changed_.wait(lock, [this] { return stopping_ || handled_ < arrived_; });
     if (stopping_) return;
     const Arrivals arrivals = std::exchange(arrivals_, {});
-    const std::uint64_t arrived = arrived_;
+    taken_ = arrived_;
     lock.unlock();
     build(arrivals);
     lock.lock();
-    handled_ = arrived;
+    handled_ = taken_;
+    oldest_ = next_;
     changed_.notify_all();
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -49,10 +50,15 @@ public:
   /// The last one built; null when there is none.
   Snapshot newest() const;
 
+  /// How long what arrived has been waiting to be built or refused [s], on a steady clock; 0 when nothing is.
+  double waiting() const;
+
   /// Waits until all that was added before this call is built or refused, then newest(). Stops waiting when cancelled.
   Snapshot wait_for_newest(const std::atomic<bool>& cancelled) const;
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   /// What arrived since the last build: at most one map, and the updates that came after it.
   struct Arrivals
   {
@@ -76,6 +82,9 @@ private:
   bool stopping_ = false;
   Arrivals arrivals_;
   std::uint64_t arrived_ = 0;  ///< messages ever added
+  Clock::time_point oldest_;   ///< when the oldest that waits arrived: in a build, or for the next one
+  Clock::time_point next_;     ///< when the oldest for the next build arrived
+  std::uint64_t taken_ = 0;    ///< of these, into the build that goes on, or went last
   std::uint64_t handled_ = 0;  ///< of these, built or refused
   Snapshot newest_;
 

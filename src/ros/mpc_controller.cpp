@@ -27,6 +27,7 @@ MpcController::MpcController(const MpcControllerParameters& parameters)
     pairs_(odom_, wheel_states_, kPairQueue)
 {
   trajectory_ = node_.subscribe("trajectory", 10, &MpcController::on_trajectory, this);
+  permit_ = node_.subscribe("drive_permit", 1, &MpcController::on_permit, this, ros::TransportHints().tcpNoDelay());
   odom_.registerCallback(&MpcController::on_odometry, this);
   wheel_states_.registerCallback(&MpcController::on_wheel_states, this);
   pairs_.registerCallback(&MpcController::on_pair, this);

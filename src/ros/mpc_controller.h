@@ -25,6 +25,7 @@ public:
   explicit MpcController(const MpcControllerParameters& parameters);
 
 private:
+  void on_permit(const fourwis_navigation::DrivePermitConstPtr& permit) { loop_.take_permit(*permit); }
   void on_trajectory(const ros::MessageEvent<const fourwis_navigation::ModeTrajectory>& trajectory);
   /// Stops when it was this node that sent what is driven. A sender that never listened is not missed.
   void on_listener_left(const std::string& node);
@@ -42,7 +43,7 @@ private:
   ControllerTopics topics_;
   ControllerDiagnostics diagnostics_;
   ControlLoop loop_;
-  ros::Subscriber trajectory_;
+  ros::Subscriber trajectory_, permit_;
   message_filters::Subscriber<nav_msgs::Odometry> odom_;
   message_filters::Subscriber<fourwis_navigation::WheelStates> wheel_states_;
   message_filters::TimeSynchronizer<nav_msgs::Odometry, fourwis_navigation::WheelStates> pairs_;

@@ -4,6 +4,7 @@
 #include <ros/console.h>
 
 #include "conversions.h"
+#include "fourwis_navigation/DrivePermit.h"
 #include "markers.h"
 
 namespace fourwis
@@ -29,6 +30,7 @@ PlannerTopics::PlannerTopics(const GlobalPlannerOptions& options, const Robot& r
 {
   ros::NodeHandle node, private_node("~");
   trajectory_ = node.advertise<fourwis_navigation::ModeTrajectory>("trajectory", 10, true);
+  permit_ = node.advertise<fourwis_navigation::DrivePermit>("drive_permit", 1);
   plan_ = private_node.advertise<nav_msgs::Path>("plan", 10, true);
   frontend_plan_ = private_node.advertise<nav_msgs::Path>("frontend_plan", 10, true);
   marker_ = private_node.advertise<visualization_msgs::MarkerArray>("markers", 10, true);
@@ -65,6 +67,18 @@ void PlannerTopics::publish(const geometry_msgs::PoseStamped& goal, const PlanAn
 void PlannerTopics::publish_stop(const ros::Time& begin)
 {
   publish_trajectory({}, begin);
+}
+
+void PlannerTopics::publish_permit(const ros::Time& trajectory, const ros::Time& map_stamp, double free_until,
+                                   const ros::Time& heard)
+{
+  fourwis_navigation::DrivePermit permit;
+  permit.header = header();
+  permit.trajectory = trajectory;
+  permit.map_stamp = map_stamp;
+  permit.free_until = free_until;
+  permit.heard = heard;
+  permit_.publish(permit);
 }
 
 void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message)

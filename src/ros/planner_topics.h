@@ -34,6 +34,9 @@ public:
   void publish(const geometry_msgs::PoseStamped& goal, const PlanAnswer& answer, const ros::Time& begin);
   /// An empty trajectory: the robot stops at `begin`.
   void publish_stop(const ros::Time& begin);
+  /// That the trajectory may be driven on until `free_until` [s] of it.
+  void publish_permit(const ros::Time& trajectory, const ros::Time& map_stamp, double free_until,
+                      const ros::Time& heard);
   /// Status only; for input that never came to planning. An empty goal: it was about none.
   void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message);
 
@@ -54,7 +57,7 @@ private:
   mutable std::mutex mutex_;
   fourwis_navigation::PlannerStatus last_status_;
   visualization_msgs::MarkerArray markers_;  ///< of the last plan that succeeded
-  ros::Publisher trajectory_, plan_, frontend_plan_, marker_, corridors_;
+  ros::Publisher permit_, trajectory_, plan_, frontend_plan_, marker_, corridors_;
   std::vector<ros::Publisher> status_;
 };
 

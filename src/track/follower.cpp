@@ -26,7 +26,8 @@ Follower::Follower(const Robot& robot, const TrackOptions& options)
     mpc_(robot, options),
     forecast_(robot, options),
     watch_(options),
-    error_model_(robot, Mode::none)
+    error_model_(robot, Mode::none),
+    pace_(robot)
 {}
 
 void Follower::start(const Reference& reference, const SteeringRange& steering, const Measurement& now)
@@ -35,18 +36,18 @@ void Follower::start(const Reference& reference, const SteeringRange& steering, 
   error_model_ = ErrorModel(robot_, reference.mode());
   mpc_.restart(reference.mode(), steering);
   forecast_.restart(reference.mode(), reference.start_phi());
-  time_ = reference.start_time() - now.period;
+  pace_.restart(reference.start_time() - now.period);
   watch_.restart();
   holding_ = -1.0;
   asked_ = {0.0, reference.start_phi()};
 }
 
-Follower::Answer Follower::step(const Measurement& now)
+Follower::Answer Follower::step(const Measurement& now, bool go)
 {
   Answer answer;
   answer.stop_reason = observe(now);
   const MotionState state = forecast_.ahead(now.pose, now.pose_stamp, now.now + options_.command_latency);
-  time_ += now.period;
+  pace_.advance(*reference_, go, now.period);
   wait_for_robot(state, now.period);
   if (answer.stop_reason) return answer;
   if (settles(state, now))
@@ -56,7 +57,7 @@ Follower::Answer Follower::step(const Measurement& now)
     if (holding_ > kRestTimeout) answer.stop_reason = {"the wheels do not come to rest for %.3f s", holding_};
     return answer;
   }
-  const MpcAnswer control = mpc_.solve(*reference_, time_, state);
+  const MpcAnswer control = mpc_.solve(*reference_, pace_, go, state);
   if (!control.usable)
     answer.stop_reason = {"the controller's problem has no solution"};
   else
@@ -67,7 +68,9 @@ Follower::Answer Follower::step(const Measurement& now)
 /// Compares the robot's pose with the reference, and its wheels with what they were asked for.
 StopReason Follower::observe(const Measurement& now)
 {
-  clock_ = time_ + now.period - options_.command_latency - (now.now - now.pose_stamp);
+  const double age = now.now - now.pose_stamp;
+  clock_ = pace_.rate() == 1.0 ? pace_.time() + now.period - options_.command_latency - age
+                               : pace_.time() + pace_.rate() * (now.period - options_.command_latency - age);
   const MotionState& should = reference_->at(clock_).state;
   const ErrorState error = error_model_.error({now.pose, should.v, should.phi}, should);
   const double forward = should.v < 0.0 ? -1.0 : 1.0;
@@ -82,23 +85,24 @@ StopReason Follower::observe(const Measurement& now)
 /// cusp the controller may find that not moving is best.
 void Follower::wait_for_robot(const MotionState& state, double period)
 {
-  const MotionState& should = reference_->at(time_).state;
+  const MotionState& should = reference_->at(pace_.time()).state;
   const double ahead = error_model_.advance(error_model_.error(state, should));
   const double behind = (should.v < 0.0 ? ahead : -ahead) - options_.clock_slack;
-  if (behind > 0.0 && std::abs(should.v) > kSlow) time_ -= std::min(kMostWait * period, behind / std::abs(should.v));
+  if (behind > 0.0 && std::abs(should.v) > kSlow)
+    pace_.wait(std::min(kMostWait * period * pace_.rate(), behind / std::abs(should.v)));
 }
 
 /// Whether the robot is at the end of the stretch, so that its speed is set to 0.
 bool Follower::settles(const MotionState& state, const Measurement& now)
 {
-  const double over = time_ - reference_->end_time();
+  const double over = pace_.time() - reference_->end_time();
   if (over < 0.0) return false;
   if (holding_ >= 0.0)
   {
     holding_ += now.period;
     return true;
   }
-  const double error = error_model_.advance(error_model_.error(state, reference_->at(time_).state));
+  const double error = error_model_.advance(error_model_.error(state, reference_->at(pace_.time()).state));
   const bool near = std::abs(error) < kSettled && std::abs(asked_.v) < options_.rest_speed;
   if (near || over > options_.settle_time) holding_ = 0.0;
   return holding_ >= 0.0;

@@ -27,7 +27,11 @@ public:
     StopReason stop_reason;  ///< if there is one, the command is not valid
     bool finished = false;   ///< the robot is at rest and the stretch is over
   };
-  Answer step(const Measurement& now);
+  /// `go`: whether the robot may go on; if not it comes to rest on its way, and waits.
+  Answer step(const Measurement& now, bool go = true);
+
+  /// The trajectory's time at which the robot rests if it goes on in this step and is to wait after it, but at most `limit`.
+  double rest_time(double limit) const { return pace_.rest_time(*reference_, period_, limit); }
 
   /// Instead of step(): slows down for one control step along the present curve. It begins at the measured speed if
   /// that is known and less. Returns the command; in the end its v is 0.
@@ -54,7 +58,7 @@ private:
   WheelWatch watch_;
   const Reference* reference_ = nullptr;
   ErrorModel error_model_;
-  double time_ = 0.0;     ///< the trajectory's, when the next command takes effect [s]
+  Pace pace_;             ///< its time is the trajectory's, when the next command takes effect
   double holding_ = 0.0;  ///< time since the speed was set to 0 at the end; negative while driving [s]
   double clock_ = 0.0;
   Deviation deviation_;

@@ -82,6 +82,7 @@ Mpc::Mpc(const Robot& robot, const TrackOptions& options) : robot_(robot), error
   hold_.states.assign(count + 1, ErrorState::Zero());
   hold_.controls.assign(count, ErrorInput::Zero());
   knots_.resize(count + 1);
+  middles_.resize(count);
   prediction_.resize(count + 1);
   solver_.solve(horizon_, problem_, hold_);  // so that it has its storage
 }
@@ -106,7 +107,7 @@ MotionState Mpc::within_bounds(const MotionState& state) const
 /// Bounds on v and phi at a knot. v may take the time it needs to get within the limit of the fastest wheel.
 void Mpc::set_state_bounds(std::size_t k, double v)
 {
-  const MotionState& r = knots_[k].state;
+  const MotionState& r = knots_[k];
   const double by_wheels = robot_.wheel_max_speed / wheel_speed_ratio(robot_, error_model_.mode(), r.phi);
   const double reachable = std::abs(v) - robot_.max_acceleration * times_[k];
   const double limit = std::max(std::min(robot_.max_speed, by_wheels), reachable);
@@ -116,13 +117,12 @@ void Mpc::set_state_bounds(std::size_t k, double v)
 }
 
 /// Dynamics and bounds on a and omega of an interval.
-void Mpc::set_interval(const Reference& reference, double t, std::size_t k)
+void Mpc::set_interval(const MotionState& state, std::size_t k)
 {
-  const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
+  const MotionState &from = knots_[k], &to = knots_[k + 1];
   const double h = horizon_.intervals[k].h;
   // The mean input over the interval: the reference's own input may change within it.
-  const ReferencePoint middle = {reference.at(t + 0.5 * (times_[k] + times_[k + 1])).state,
-                                 {(to.v - from.v) / h, (to.phi - from.phi) / h}};
+  const ReferencePoint middle = {state, {(to.v - from.v) / h, (to.phi - from.phi) / h}};
   horizon_.intervals[k].jacobian = error_model_.jacobian(middle, h);
   const double rate =
       std::min(robot_.max_steering_rate, robot_.wheel_max_rate / error_model_.steering_gain(middle.state.phi));
@@ -133,11 +133,33 @@ void Mpc::set_interval(const Reference& reference, double t, std::size_t k)
 
 MpcAnswer Mpc::solve(const Reference& reference, double t, const MotionState& state)
 {
-  for (std::size_t k = 0; k < knots_.size(); ++k) knots_[k] = reference.at(t + times_[k]);
+  for (std::size_t k = 0; k < knots_.size(); ++k) knots_[k] = reference.at(t + times_[k]).state;
+  for (std::size_t k = 0; k < middles_.size(); ++k)
+    middles_[k] = reference.at(t + 0.5 * (times_[k] + times_[k + 1])).state;
+  return solve_from(state);
+}
+
+MpcAnswer Mpc::solve(const Reference& reference, Pace pace, bool go, const MotionState& state)
+{
+  if (go && pace.rate() == 1.0) return solve(reference, pace.time(), state);
+  for (std::size_t k = 0; k < middles_.size(); ++k)
+  {
+    const double half = 0.5 * horizon_.intervals[k].h;
+    knots_[k] = pace.state(reference);
+    pace.advance(reference, go, half);
+    middles_[k] = pace.state(reference);
+    pace.advance(reference, go, half);
+  }
+  knots_.back() = pace.state(reference);
+  return solve_from(state);
+}
+
+MpcAnswer Mpc::solve_from(const MotionState& state)
+{
   const MotionState start = within_bounds(state);
   for (std::size_t k = 0; k <= problem_.intervals(); ++k) set_state_bounds(k, start.v);
-  for (std::size_t k = 0; k < problem_.intervals(); ++k) set_interval(reference, t, k);
-  problem_.initial_state = error_model_.error(start, knots_.front().state);
+  for (std::size_t k = 0; k < problem_.intervals(); ++k) set_interval(middles_[k], k);
+  problem_.initial_state = error_model_.error(start, knots_.front());
 
   const auto* solution = &(warm_ ? solve_warm() : solve_cold());
   if (warm_ && !is_usable(*solution)) solution = &solve_cold();
@@ -161,7 +183,7 @@ auto Mpc::solve_cold() -> const Solution&
   hold_.states.front() = problem_.initial_state;
   for (std::size_t k = 0; k < hold_.controls.size(); ++k)
   {
-    const MotionState &from = knots_[k].state, &to = knots_[k + 1].state;
+    const MotionState &from = knots_[k], &to = knots_[k + 1];
     hold_.controls[k] = ErrorInput(from.v - to.v, from.phi - to.phi) / horizon_.intervals[k].h;
     hold_.states[k + 1] = horizon_.intervals[k].jacobian.leftCols<5>() * hold_.states[k] +
                           horizon_.intervals[k].jacobian.rightCols<2>() * hold_.controls[k];
@@ -171,11 +193,11 @@ auto Mpc::solve_cold() -> const Solution&
 
 void Mpc::take(const Solution& solution, MpcAnswer& answer)
 {
-  const MotionState &from = knots_[0].state, &to = knots_[1].state;
+  const MotionState &from = knots_[0], &to = knots_[1];
   answer.input = {(to.v - from.v) / times_[1] + solution.trajectory.controls.front()[0],
                   (to.phi - from.phi) / times_[1] + solution.trajectory.controls.front()[1]};
   for (std::size_t k = 0; k < knots_.size(); ++k)
-    prediction_[k] = error_model_.pose(solution.trajectory.states[k], knots_[k].state);
+    prediction_[k] = error_model_.pose(solution.trajectory.states[k], knots_[k]);
 }
 
 }  // namespace fourwis

@@ -5,6 +5,7 @@
 #include "error_model.h"
 #include "fourwis_navigation/ocp/solver.h"
 #include "fourwis_navigation/track/track_options.h"
+#include "pace.h"
 
 namespace fourwis
 {
@@ -57,6 +58,9 @@ public:
   /// From `state` at time t of the trajectory.
   MpcAnswer solve(const Reference& reference, double t, const MotionState& state);
 
+  /// The same at a pace that goes on to the rate 1, or comes to rest.
+  MpcAnswer solve(const Reference& reference, Pace pace, bool go, const MotionState& state);
+
   /// The problem of the last step and its solution, for tests.
   const HorizonModel& horizon() const { return horizon_; }
   const ocp::Problem<5, 2>& problem() const { return problem_; }
@@ -70,7 +74,8 @@ private:
 
   MotionState within_bounds(const MotionState& state) const;
   void set_state_bounds(std::size_t k, double v);
-  void set_interval(const Reference& reference, double t, std::size_t k);
+  void set_interval(const MotionState& middle, std::size_t k);
+  MpcAnswer solve_from(const MotionState& state);
   const Solution& solve_warm();
   const Solution& solve_cold();
   void take(const Solution& solution, MpcAnswer& answer);
@@ -83,7 +88,8 @@ private:
   ocp::Problem<5, 2> problem_;
   ocp::Trajectory<5, 2> hold_;  ///< the guess of a cold start
   ocp::Solver<HorizonModel> solver_;
-  std::vector<ReferencePoint> knots_;
+  std::vector<MotionState> knots_;    ///< of the reference
+  std::vector<MotionState> middles_;  ///< the same in the middle of each interval
   std::vector<Pose> prediction_;
   bool warm_ = false;
 };

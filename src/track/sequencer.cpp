@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fourwis_navigation/track/step_number.h"
 
@@ -49,7 +50,8 @@ TrackOutput Sequencer::step(const TrackInput& input)
   elapsed_ += measured_.period;
   corrector_.pass(measured_.period);
   TrackOutput output;
-  output.command = act(input.wheels, reason);
+  waits_for_ = {};
+  output.command = act(input, reason);
   output.command.sequence = sequence_;
   report(output);
   return output;
@@ -65,15 +67,15 @@ void Sequencer::number(double now)
   numbered_ = true;
 }
 
-WheelCommand Sequencer::act(const WheelState& wheels, const StopReason& reason)
+WheelCommand Sequencer::act(const TrackInput& input, const StopReason& reason)
 {
   if (reason && is_under_way()) brake_for(reason);
   if (rests() && measured_.usable) steering_.adopt(measured_.wheels.angle);
   if (rests() && has_next_) begin(reason);
   switch (state_)
   {
-    case TrackState::aligning: return align(wheels);
-    case TrackState::driving: return drive();
+    case TrackState::aligning: return align(input);
+    case TrackState::driving: return drive(input.permission);
     case TrackState::stopping: return brake();
     default: return rest();
   }
@@ -112,13 +114,15 @@ void Sequencer::start_aligning()
   place_ = on_mission(next.start_time());
 }
 
-WheelCommand Sequencer::align(const WheelState& wheels)
+WheelCommand Sequencer::align(const TrackInput& input)
 {
-  if (is_aligned(wheels))
+  if (is_aligned(input.wheels))
   {
+    waits_for_ = reason_to_wait(input.permission);
+    if (waits_for_) return steering_.command();
     enter(TrackState::driving);
     follower_.start(stretch(), steering_.range(), measured_);
-    return drive();
+    return drive(input.permission);
   }
   if (elapsed_ <= options_.alignment_timeout) return steering_.command();
   brake_for(
@@ -134,9 +138,25 @@ bool Sequencer::is_aligned(const WheelState& wheels) const
   return wheels.aligned && wheels.mode == stretch().mode() && behind > 0 && behind <= since;
 }
 
-WheelCommand Sequencer::drive()
+/// Why the robot must not go on for a control step, or nothing. What has been checked is the mission, so corrections need
+/// permission for all of it.
+StopReason Sequencer::reason_to_wait(const DrivePermission& permission) const
 {
-  const Follower::Answer answer = follower_.step(measured_);
+  if (permission.age == std::numeric_limits<double>::infinity()) return {"no permission to drive has come"};
+  if (!(permission.age <= options_.permit_timeout))
+    return {"the permission to drive is %.3f s old, permit_timeout is %.3f s", permission.age, options_.permit_timeout};
+  const double limit = permission.free_until;
+  if (limit >= mission_.back().end_time()) return {};
+  const bool is_beginning = state_ == TrackState::aligning;
+  const double rest = is_beginning ? stretch().start_time() : follower_.rest_time(limit);
+  if (!corrector_.is_active() && rest < limit) return {};
+  return {"the way is known to be free until %.3f s of the trajectory", limit};
+}
+
+WheelCommand Sequencer::drive(const DrivePermission& permission)
+{
+  waits_for_ = reason_to_wait(permission);
+  const Follower::Answer answer = follower_.step(measured_, !waits_for_);
   place_ = on_mission(follower_.clock());
   StopReason reason = answer.stop_reason ? answer.stop_reason : judge_deviation(follower_.deviation(), options_);
   if (!reason && answer.finished)
@@ -226,7 +246,7 @@ void Sequencer::report(TrackOutput& output)
   // The robot may rest between a mission that was stopped and one that waits. This is not reported as the end of the
   // waiting one.
   output.state = has_next_ && rests() ? TrackState::stopping : state_;
-  write(reason_, message_);
+  write(waits_for_ ? waits_for_ : reason_, message_);
   output.message = message_.data();
   if (!rests()) output.t = place_;
   if (state_ != TrackState::driving && !(state_ == TrackState::stopping && rolling_)) return;

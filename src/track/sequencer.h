@@ -15,6 +15,8 @@ namespace fourwis
 ///   idle, arrived, failed --take()--> aligning --aligned--> driving --at rest at the stretch's end--> aligning ...
 ///   arrived aligning, driving --stop() or a reason to stop--> stopping --at rest--> idle or failed
 ///
+/// Without permission, or before the end of what is permitted, it comes to rest while driving, and is not aligned.
+///
 /// If the robot ends a stretch too far from where it should be, a creeping correction comes first. It is driven like a
 /// stretch.
 class Sequencer
@@ -52,13 +54,14 @@ private:
   void enter(TrackState state, const StopReason& reason = {});
 
   // These are the states.
-  WheelCommand act(const WheelState& wheels, const StopReason& reason);
-  WheelCommand align(const WheelState& wheels);
-  WheelCommand drive();
+  WheelCommand act(const TrackInput& input, const StopReason& reason);
+  WheelCommand align(const TrackInput& input);
+  WheelCommand drive(const DrivePermission& permission);
   WheelCommand brake();
   WheelCommand rest() const { return steering_.hold(); }
 
   bool is_aligned(const WheelState& wheels) const;
+  StopReason reason_to_wait(const DrivePermission& permission) const;
   void report(TrackOutput& output);
   void number(double now);
 
@@ -72,6 +75,7 @@ private:
 
   TrackState state_ = TrackState::idle;
   StopReason reason_;     ///< why it is in the state, if there is something to report
+  StopReason waits_for_;  ///< why it does not go on with the mission, if it does not
   double elapsed_ = 0.0;  ///< time in the state [s]
   bool fails_ = false;    ///< whether braking ends in `failed` or in `idle`
   bool rolling_ = false;  ///< whether there is anything to brake

@@ -53,7 +53,8 @@ Subject<MpcControllerOptions> subject_of()
           },
           {{"global_frame", [](const O& o) { return double(o.global_frame == "map"); }},
            {"robot_base_frame", [](const O& o) { return double(o.robot_base_frame == "base_link"); }},
-           {"transform_tolerance", [](const O& o) { return o.transform_tolerance; }, {0.01, 60.0}}}};
+           {"transform_tolerance", [](const O& o) { return o.transform_tolerance; }, {0.01, 60.0}},
+           {"require_permit", [](const O& o) { return double(o.require_permit); }}}};
 }
 
 template <>

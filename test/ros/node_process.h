@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/ptrace.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,6 +67,32 @@ public:
 
   /// Ends it as a crash does.
   void crash() { kill(process_, SIGKILL); }
+
+  /// Stops it as a machine that swaps does, and lets it go on.
+  void freeze() { kill(process_, SIGSTOP); }
+  void thaw() { kill(process_, SIGCONT); }
+
+  /// Its threads.
+  std::vector<pid_t> threads() const
+  {
+    std::vector<pid_t> found;
+    const std::string folder = "/proc/" + std::to_string(process_) + "/task";
+    DIR* entries = opendir(folder.c_str());
+    if (!entries) throw std::runtime_error(folder + " cannot be read");
+    while (const dirent* entry = readdir(entries))
+      if (entry->d_name[0] != '.') found.push_back(static_cast<pid_t>(std::stol(entry->d_name)));
+    closedir(entries);
+    return found;
+  }
+
+  /// Stops one of its threads, and lets it go on. Both from the same thread of the caller.
+  static bool freeze_thread(pid_t thread)
+  {
+    if (ptrace(PTRACE_SEIZE, thread, nullptr, nullptr) != 0) return false;
+    if (ptrace(PTRACE_INTERRUPT, thread, nullptr, nullptr) != 0) return false;
+    return waitpid(thread, nullptr, __WALL) == thread;
+  }
+  static void thaw_thread(pid_t thread) { ptrace(PTRACE_DETACH, thread, nullptr, nullptr); }
 
   /// Waits for it to end by itself; its exit status, -1 when a signal ended it.
   int exit_status()

@@ -102,6 +102,7 @@ struct MpcControllerOptions
   std::string global_frame = "map";            ///< frame of the trajectories
   std::string robot_base_frame = "base_link";  ///< the robot's centre; child_frame_id of `odom`
   double transform_tolerance = 0.5;            ///< how much older than odom the localisation's transform may be [s]
+  bool require_permit = true;  ///< whether it drives only with permits; false where trajectories come without
 
   /// The table of the options; see model/option_check.h.
   template <class Self, class Row>
@@ -110,6 +111,7 @@ struct MpcControllerOptions
     row("global_frame", o.global_frame, FrameName{});
     row("robot_base_frame", o.robot_base_frame, FrameName{});
     row("transform_tolerance", o.transform_tolerance, 0.01, 60.0, "s");
+    row("require_permit", o.require_permit);
   }
 };
 

@@ -53,6 +53,7 @@ struct TrackOptions
   double pose_timeout = 0.1;            ///< greatest age of the pose [s]
   double wheel_state_timeout = 0.1;     ///< greatest age of the wheels' state [s]
   double step_timeout = 0.3;            ///< longest time from one control step to the next [s]
+  double permit_timeout = 0.3;          ///< greatest age of the permission to drive [s]
 
   /// The table of the options; see model/option_check.h.
   template <class Self, class Row>
@@ -96,6 +97,7 @@ struct TrackOptions
     row("pose_timeout", o.pose_timeout, 0.01, 2.0, "s");
     row("wheel_state_timeout", o.wheel_state_timeout, 0.01, 2.0, "s");
     row("step_timeout", o.step_timeout, 0.01, 60.0, "s");
+    row("permit_timeout", o.permit_timeout, 0.02, 60.0, "s");
   }
 };
 

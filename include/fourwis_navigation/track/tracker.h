@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -26,6 +27,14 @@ enum class TrackState : std::uint8_t
   failed = 5     ///< at rest, the trajectory is given up because of what `message` says
 };
 
+/// Until when the way is known to be free. By default all of it is.
+struct DrivePermission
+{
+  double free_until =
+      std::numeric_limits<double>::infinity();  ///< of the trajectory [s]; the robot comes to rest before it
+  double age = 0.0;  ///< of the controller's own stamp that had been heard where it was given [s]; infinite: never
+};
+
 /// What is known of the robot when a control step begins. Any part may be old, missing or wrong: the tracker checks it.
 struct TrackInput
 {
@@ -33,6 +42,7 @@ struct TrackInput
   double pose_stamp = 0.0;  ///< when `pose` was true [s]
   Pose pose;                ///< of the robot in the trajectory's frame; NaN where it is not known
   WheelState wheels;        ///< with its own stamp
+  DrivePermission permission = {};
 };
 
 /// One control step's answer.
@@ -40,7 +50,7 @@ struct TrackOutput
 {
   WheelCommand command;  ///< with its sequence: `aligned` counts once the base has taken a command of this alignment
   TrackState state = TrackState::idle;
-  std::string_view message;         ///< why it stops or failed, otherwise empty; valid until the next step
+  std::string_view message;         ///< why it stops, waits or failed, otherwise empty; valid until the next step
   double t = 0.0;                   ///< time on the trajectory at which the robot should be at `pose_stamp`; while
                                     ///< stopping, where it began to stop; 0 in the states at rest [s]
   double lateral_error = 0.0;       ///< of the measured pose, to the left of the direction of travel [m]
@@ -52,7 +62,7 @@ struct TrackOutput
 
 /// Drives the wheels along a trajectory. At each switch it brakes to rest, turns the wheels and waits until they are
 /// aligned. Then it goes on, with the trajectory's clock shifted. In between a model-predictive controller follows the
-/// trajectory. A stop is possible at any time. step() neither allocates nor locks. Deterministic: the answers depend
+/// trajectory. Without permission it comes to rest on its way, and goes on with it. A stop is possible at any time. step() neither allocates nor locks. Deterministic: the answers depend
 /// only on the calls before.
 class Tracker
 {
