@@ -115,7 +115,7 @@ Options from_file(const std::string& path, Options (*convert)(const ParameterMap
   const ParameterMap parameters = read_parameter_file(path);
   try
   {
-    const Options options = convert(parameters);
+    Options options = convert(parameters);
     const std::string taken = defaults_taken<Options>(parameters);
     if (defaults && !taken.empty()) *defaults = path + ": " + taken;
     return options;

@@ -7,7 +7,7 @@ namespace fourwis
 
 Robot robot_from(const ParameterMap& parameters)
 {
-  const Robot robot = options_from<Robot>(parameters);
+  Robot robot = options_from<Robot>(parameters);
   check_configuration(robot);
   return robot;
 }

@@ -13,8 +13,8 @@ namespace fourwis
 namespace
 {
 
-/// Directions in which a body that keeps its heading is tried.
-constexpr int kDirections = 32;
+/// Lines along which a body that keeps its heading is tried, forward and backward.
+constexpr int kLines = 16;
 /// Length of the longest motion, in sizes of the robot.
 constexpr double kLongest = 0.5;
 /// Between two looks at the body [m].
@@ -31,9 +31,9 @@ std::vector<PathPiece> motions(const Robot& robot, const Pose& pose, const ModeS
   {
     if (!modes.contains(mode) || !limits[mode].possible) continue;
     if (traits_of(mode).follows_phi)
-      for (int k = 0; k < kDirections / 2; ++k)
+      for (int k = 0; k < kLines; ++k)
       {
-        const double phi = wrap_angle(M_PI * k / (kDirections / 2));
+        const double phi = wrap_angle(M_PI * k / kLines);
         const double angle = phi > M_PI_2 ? phi - M_PI : phi;
         if (std::abs(angle) > limits[mode].phi) continue;
         pieces.push_back({mode, pose, angle, 1.0});

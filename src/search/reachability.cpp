@@ -33,10 +33,13 @@ bool flood_reaches_goal(const SearchProblem& problem, double spacing)
   const HeadingSlices free = possibly_free_headings(problem.checker, spacing, problem.interrupt);
   std::vector<HeadingSet> reached(static_cast<std::size_t>(free.columns()) * static_cast<std::size_t>(free.rows()), 0);
   std::vector<std::pair<int, int>> front;
+  const auto reached_at = [&](int i, int j) -> HeadingSet& {
+    return reached[static_cast<std::size_t>(j) * static_cast<std::size_t>(free.columns()) +
+                   static_cast<std::size_t>(i)];
+  };
   const auto reach = [&](int i, int j, HeadingSet headings) {
     if (i < 0 || j < 0 || i >= free.columns() || j >= free.rows()) return;
-    HeadingSet& known =
-        reached[static_cast<std::size_t>(j) * static_cast<std::size_t>(free.columns()) + static_cast<std::size_t>(i)];
+    HeadingSet& known = reached_at(i, j);
     HeadingSet all = known | headings;
     if (all == known) return;
     for (HeadingSet next = 0; next != all; all |= turned_by_one_bin(all) & free.at(i, j)) next = all;
@@ -47,23 +50,19 @@ bool flood_reaches_goal(const SearchProblem& problem, double spacing)
     const Pose in_grid = relative_to(map.origin(), pose);
     return std::pair<int, int>(std::lround(in_grid.x / spacing), std::lround(in_grid.y / spacing));
   };
-  const auto [start_i, start_j] = point_of(problem.start);
-  const auto [goal_i, goal_j] = point_of(problem.goal);
+  const auto start = point_of(problem.start), goal = point_of(problem.goal);
   const HeadingSet first = heading_bit(heading_bin(problem.start.theta));
   const HeadingSet last = heading_bit(heading_bin(problem.goal.theta));
-  reach(start_i, start_j, first | turned_by_one_bin(first));
+  reach(start.first, start.second, first | turned_by_one_bin(first));
   const auto has_reached_goal = [&] {
-    return (reached[static_cast<std::size_t>(goal_j) * static_cast<std::size_t>(free.columns()) +
-                    static_cast<std::size_t>(goal_i)] &
-            (last | turned_by_one_bin(last))) != 0;
+    return (reached_at(goal.first, goal.second) & (last | turned_by_one_bin(last))) != 0;
   };
   for (int steps = 0; !front.empty() && !has_reached_goal(); ++steps)
   {
     if (steps % kInterruptInterval == 0 && is_over(problem.interrupt)) return true;
     const auto [i, j] = front.back();
     front.pop_back();
-    const HeadingSet here =
-        reached[static_cast<std::size_t>(j) * static_cast<std::size_t>(free.columns()) + static_cast<std::size_t>(i)];
+    const HeadingSet here = reached_at(i, j);
     for (int dj = -1; dj <= 1; ++dj)
       for (int di = -1; di <= 1; ++di) reach(i + di, j + dj, here & free.at(i + di, j + dj));
   }
