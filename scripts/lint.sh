@@ -2,7 +2,7 @@
 # Checks what a compiler does not.
 #   lint.sh           the format of all C++ files (clang-format) and the habits of the product's code (clang-tidy): minutes the
 #                     first time, then seconds, as scripts/tidy.py knows what is clean
-#   lint.sh --format  the format alone: seconds, as in continuous integration
+#   lint.sh --format  the format alone: seconds
 #   lint.sh --all     clang-tidy in tests and examples too, and with the static analyzer (by night)
 # Exits non-zero when something is found. Both tools are those of Debian 12, version 14: others format otherwise.
 set -uo pipefail
