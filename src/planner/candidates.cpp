@@ -14,7 +14,8 @@ constexpr double kWideCurves = 0.7, kLeastSteering = 0.01;
 /// Share of the penalties of steering and reversing that the softened costs keep.
 constexpr double kSoftened = 0.2;
 
-/// Costs that stand for time: a share of the penalties, and the stop at each change of direction.
+/// Costs that stand for time: a share of the penalties, and the stop at each change of direction. They stay within the ranges
+/// of SearchOptions: the longest stop, from 20 m/s at 0.01 m/s^2, costs 40 km, and direction_change_penalty may be 100 km.
 SearchOptions time_costs(const Robot& robot, SearchOptions options, double share)
 {
   const double v_ref = options.v_ref(robot), stop = v_ref * v_ref / robot.max_acceleration;

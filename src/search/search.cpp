@@ -74,6 +74,7 @@ Search::~Search() = default;
 SearchResult Search::find(const SearchOptions& options, const ModeSet& modes, Effort effort,
                           std::vector<Pose>* expanded) const
 {
+  check(options);
   if (problem_.interrupt.cancelled()) return failed(PlanStatus::cancelled);
   if (problem_.interrupt.timed_out()) return failed(PlanStatus::timeout);
   if (!forward_->distance().reaches_start() || !may_turn(problem_.start, problem_.goal, modes))

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fourwis_navigation/model/option_range.h"
+
 namespace fourwis
 {
 namespace
@@ -30,7 +32,9 @@ Twist mean(const Twist& a, const Twist& b)
 WheelOdometry::WheelOdometry(const Robot& robot, const WheelTwistOptions& options, double longest_interval)
   : twist_(robot, options),
     longest_interval_(longest_interval)
-{}
+{
+  require_positive("longest_interval", longest_interval);
+}
 
 OdometryStatus WheelOdometry::update(double stamp, const WheelMotion& wheels)
 {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "../support/refusals.h"
 #include "fourwis_navigation/can/bus/real_time.h"
 #include "real_time_drives.h"
 
@@ -102,6 +103,14 @@ TEST(BridgeThread, RejectsOptionsThatContradictEachOtherWhereItIsMade)
   can::BridgeOptions options;
   options.driving[0].node = 1;
   EXPECT_THROW(can::BridgeThread(Robot(), options, can::open_bus("unix:nothing"), 0), std::invalid_argument);
+}
+
+TEST(BridgeThread, RejectsAPriorityThatDoesNotExist)
+{
+  for (const int bad : {-1, 100})
+    EXPECT_EQ(
+        error_of<std::invalid_argument>([&] { can::BridgeThread(Robot(), {}, can::open_bus("unix:nothing"), bad); }),
+        "parameter 'priority' is " + std::to_string(bad) + ", expected a whole number from 0 to 99");
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ Subject<PlannerOptions> subject_of()
            {"steering_penalty", [](const O& o) { return o.search.steering_penalty; }, {0.0, 1000.0}},
            {"parallel_steering_penalty", [](const O& o) { return o.search.parallel_steering_penalty; }, {0.0, 1000.0}},
            {"steering_change_penalty", [](const O& o) { return o.search.steering_change_penalty; }, {0.0, 1000.0}},
-           {"direction_change_penalty", [](const O& o) { return o.search.direction_change_penalty; }, {0.0, 1000.0}},
+           {"direction_change_penalty", [](const O& o) { return o.search.direction_change_penalty; }, {0.0, 1e5}},
            {"heuristic_weight", [](const O& o) { return o.search.heuristic_weight; }, {0.0, 100.0}},
            {"terminal_connection", [](const O& o) { return double(o.search.terminal_connection); }},
            {"switching_awareness", [](const O& o) { return double(o.search.switching_awareness); }},

@@ -9,6 +9,7 @@
 #include "../support/grids.h"
 #include "../support/refusals.h"
 #include "fourwis_navigation/planner/planner.h"
+#include "planner/candidates.h"
 #include "planner/segment_refiner.h"
 
 namespace fourwis
@@ -59,6 +60,21 @@ TEST(PlannerOptions, NoWorldHasARobotWithWheelsOutsideItsBody)
   robot.width = 0.5;
   const std::string said = "'track_width' is 0.52, expected at most 'width' (0.5 m)";
   EXPECT_TRUE(says(error_of<std::invalid_argument>([&] { World(free_area(2.0, 2.0, 0.1), robot, {}); }), said));
+}
+
+// Search::find() checks what the planner makes of them.
+TEST(PlannerOptions, StayInTheirRangesWhenPenaltiesBecomeTimes)
+{
+  Robot robot;
+  robot.max_speed = 20.0;
+  robot.max_acceleration = 0.01;
+  SearchOptions options;
+  options.reverse_penalty = options.steering_penalty = 1000.0;
+  options.direction_change_penalty = 1e5;
+  check(robot);
+  check(options);
+  for (const SearchVariant& variant : variants_by_time(robot, options, ModeSet()))
+    EXPECT_NO_THROW(check(variant.options)) << variant.name;
 }
 
 TEST(PlannerOptions, OfTheBackEndAloneAreCheckedByIt)

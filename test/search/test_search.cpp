@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
+#include "../support/refusals.h"
 
 namespace fourwis
 {
@@ -148,7 +154,7 @@ struct LongSearch : FrontEnd
 
 TEST_F(LongSearch, ExpandsNoMoreThanAllowed)
 {
-  for (int most : {0, 1, 7, 100, 3000})
+  for (int most : {1, 7, 100, 3000})
   {
     options.max_expansions = most;
     std::vector<Pose> expanded;
@@ -318,6 +324,27 @@ TEST_F(LongSearch, OptionsOutOfRangeAreRejectedByName)
       EXPECT_THROW(find(site, request), std::invalid_argument);
       EXPECT_THROW(hybrid_astar(problem, options, request.modes, {distance}), std::invalid_argument);
     }
+  }
+}
+
+// A penalty that is no number once ended in a search that found nothing.
+TEST_F(LongSearch, EveryOptionIsCheckedBeforeTheSearchBegins)
+{
+  const std::vector<std::pair<std::string, std::function<void(SearchOptions&)>>> cases = {
+      {"parameter 'reverse_penalty' is nan, expected a number from 0 to 1000 m",
+       [](SearchOptions& o) { o.reverse_penalty = std::nan(""); }},
+      {"parameter 'heuristic_weight' is inf, expected a number from 0 to 100",
+       [](SearchOptions& o) { o.heuristic_weight = INFINITY; }},
+      {"parameter 'xy_resolution' is 0.001, expected a number from 0.01 to 5 m",
+       [](SearchOptions& o) { o.xy_resolution = 0.001; }},
+      {"parameter 'shortcut_passes' is -1, expected a whole number from 0 to 1000",
+       [](SearchOptions& o) { o.shortcut_passes = -1; }}};
+  const std::atomic<bool> cancelled{true};
+  for (const auto& [said, change] : cases)
+  {
+    options = {};
+    change(options);
+    EXPECT_EQ(error_of<std::invalid_argument>([&] { find(site, request, Interrupt(&cancelled)); }), said);
   }
 }
 

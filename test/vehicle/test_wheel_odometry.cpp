@@ -4,8 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "../support/random.h"
+#include "../support/refusals.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis
@@ -169,6 +173,15 @@ TEST_F(OdometryOfWheels, TurnsTheCovarianceOfTheTwistIntoItsFrame)
   turn << std::cos(middle), -std::sin(middle), 0.0, std::sin(middle), std::cos(middle), 0.0, 0.0, 0.0, 1.0;
   const Eigen::Matrix3d expected = 0.01 * turn * motion.covariance * turn.transpose();
   EXPECT_LT((odometry.state().pose_covariance - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST_F(OdometryOfWheels, TheLongestIntervalIsPositiveAndFinite)
+{
+  const std::vector<std::pair<double, std::string>> cases = {
+      {0.0, "0"}, {-0.5, "-0.5"}, {std::nan(""), "nan"}, {std::numeric_limits<double>::infinity(), "inf"}};
+  for (const auto& [longest, text] : cases)
+    EXPECT_EQ(error_of<std::invalid_argument>([&, bad = longest] { WheelOdometry(robot, {}, bad); }),
+              "parameter 'longest_interval' is " + text + ", expected a positive, finite number");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "fourwis_navigation/can/bus/real_time.h"
 #include "fourwis_navigation/map/octomap_projection.h"
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/option_text.h"
@@ -144,7 +145,7 @@ struct CanBridgeNodeOptions
   static void describe(Self& o, Row& row)
   {
     row.group("", o.frames);
-    row("real_time_priority", o.real_time_priority, 0, 99);
+    row("real_time_priority", o.real_time_priority, 0, can::kHighestPriority);
   }
 };
 

@@ -29,8 +29,8 @@ public:
   explicit Search(const SearchProblem& problem);
   ~Search();
 
-  /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null. Options as hybrid_astar()
-  /// takes them.
+  /// 4D Hybrid A* and shortcuts. Poses expanded are appended to `expanded` where it is not null. Throws as check(options)
+  /// does.
   SearchResult find(const SearchOptions& options, const ModeSet& modes, Effort effort = Effort::thorough,
                     std::vector<Pose>* expanded = nullptr) const;
 

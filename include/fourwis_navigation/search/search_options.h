@@ -52,7 +52,7 @@ struct SearchOptions
     row("steering_penalty", o.steering_penalty, 0.0, 1000.0, "m/rad");
     row("parallel_steering_penalty", o.parallel_steering_penalty, 0.0, 1000.0, "m/rad");
     row("steering_change_penalty", o.steering_change_penalty, 0.0, 1000.0, "m/rad");
-    row("direction_change_penalty", o.direction_change_penalty, 0.0, 1000.0, "m");
+    row("direction_change_penalty", o.direction_change_penalty, 0.0, 1e5, "m");
     row("heuristic_weight", o.heuristic_weight, 0.0, 100.0);
     row("terminal_connection", o.terminal_connection);
     row("switching_awareness", o.switching_awareness);

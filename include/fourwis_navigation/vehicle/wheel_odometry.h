@@ -34,7 +34,8 @@ enum class OdometryStatus
 class WheelOdometry
 {
 public:
-  /// Throws as check() does.
+  /// No motion is integrated over more than `longest_interval` [s]. Throws as check() does, and std::invalid_argument unless that
+  /// is positive and finite.
   WheelOdometry(const Robot& robot, const WheelTwistOptions& options, double longest_interval = 0.5);
 
   /// Takes what was measured at `stamp` [s]. What is refused changes nothing.

@@ -10,6 +10,7 @@
 #include "fourwis_navigation/can/bus/mailbox.h"
 #include "fourwis_navigation/can/bus/real_time.h"
 #include "fourwis_navigation/can/bus/request_slot.h"
+#include "fourwis_navigation/model/option_range.h"
 #include "stop_button.h"
 
 namespace fourwis::can
@@ -47,6 +48,7 @@ public:
       bridge_(robot, options),
       connection_(bridge_, *bus_)
   {
+    require_in({0.0, kHighestPriority, "", true}, "priority", priority);
     std::promise<std::string> complaint;
     thread_ = std::thread([&, priority] {
       complaint.set_value(priority > 0 ? become_real_time(priority) : "");

@@ -29,7 +29,8 @@ struct BridgeUpdate
 class BridgeThread
 {
 public:
-  /// Starts at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws as Bridge does.
+  /// Starts at once. `priority`: see become_real_time(); 0: an ordinary thread. Throws as Bridge does, and
+  /// std::invalid_argument for a priority that does not exist.
   BridgeThread(const Robot& robot, const BridgeOptions& options, std::unique_ptr<Bus> bus, int priority);
 
   /// Ends at once, even while the wheels move: call disable() and wait first. Otherwise the drives' own watchdogs stop
