@@ -105,6 +105,14 @@ TEST(BridgeThread, RejectsOptionsThatContradictEachOtherWhereItIsMade)
   EXPECT_THROW(can::BridgeThread(Robot(), options, can::open_bus("unix:nothing"), 0), std::invalid_argument);
 }
 
+// The constructor returns while the thread has only begun.
+TEST(BridgeThread, StartsAndEndsManyTimes)
+{
+  const std::string name = "unix:bridge_starts_" + std::to_string(getpid());
+  for (int k = 0; k < 200; ++k)
+    EXPECT_EQ(can::BridgeThread(Robot(), can::BridgeOptions(), can::open_bus(name), 0).complaint(), "");
+}
+
 TEST(BridgeThread, RejectsAPriorityThatDoesNotExist)
 {
   for (const int bad : {-1, 100})

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <future>
 #include <thread>
+#include <utility>
 
 #include "bridge_connection.h"
 #include "fourwis_navigation/can/bus/mailbox.h"
@@ -49,12 +50,14 @@ public:
       connection_(bridge_, *bus_)
   {
     require_in({0.0, kHighestPriority, "", true}, "priority", priority);
-    std::promise<std::string> complaint;
-    thread_ = std::thread([&, priority] {
-      complaint.set_value(priority > 0 ? become_real_time(priority) : "");
+    // The promise belongs to the thread: nothing that both use ends with this constructor.
+    std::promise<std::string> promise;
+    std::future<std::string> complaint = promise.get_future();
+    thread_ = std::thread([this, priority, promise = std::move(promise)]() mutable {
+      promise.set_value(priority > 0 ? become_real_time(priority) : "");
       run();
     });
-    complaint_ = complaint.get_future().get();
+    complaint_ = complaint.get();
   }
 
   ~Implementation()
