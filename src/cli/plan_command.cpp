@@ -157,13 +157,10 @@ int report_unusable(const std::string& why, const std::string& json_file, std::o
 {
   tell(err, why);
   if (json_file.empty()) return kUnusableInput;
-  PlanResult result;
-  result.status = PlanStatus::invalid_input;
-  result.message = why;
   try
   {
     OutputFile json(json_file, &out);
-    write_json(json.stream(), result);
+    write_json(json.stream(), no_plan(PlanStatus::invalid_input, why));
     json.commit();
   }
   catch (const OutputError&)

@@ -7,7 +7,7 @@
 #include "box_growth.h"
 #include "closest_points.h"
 #include "fourwis_navigation/model/option_check.h"
-#include "refusal.h"
+#include "no_corridor.h"
 
 namespace fourwis
 {
@@ -76,7 +76,7 @@ BoxCorridorResult box_corridor(const ObstacleRectangles& obstacles, const TwoDis
 {
   check(options);
   std::string wrong = complaint(knots);
-  if (!wrong.empty()) return refusal<BoxCorridor>(CorridorStatus::invalid_input, wrong);
+  if (!wrong.empty()) return no_corridor<BoxCorridor>(CorridorStatus::invalid_input, wrong);
 
   BoxCorridorResult corridor;
   corridor.deficit.assign(knots.size(), 0.0);
@@ -85,7 +85,7 @@ BoxCorridorResult box_corridor(const ObstacleRectangles& obstacles, const TwoDis
   if (wrong.empty())
     wrong = append_boxes(obstacles, places(knots, -discs.offset), "rear", discs.radius, options, corridor.regions.rear,
                          corridor.deficit);
-  if (!wrong.empty()) return refusal<BoxCorridor>(CorridorStatus::in_collision, wrong);
+  if (!wrong.empty()) return no_corridor<BoxCorridor>(CorridorStatus::in_collision, wrong);
   corridor.status = CorridorStatus::succeeded;
   return corridor;
 }

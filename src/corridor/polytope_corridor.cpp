@@ -5,8 +5,8 @@
 
 #include "chord_region.h"
 #include "fourwis_navigation/model/option_check.h"
+#include "no_corridor.h"
 #include "polygon.h"
-#include "refusal.h"
 
 namespace fourwis
 {
@@ -46,7 +46,7 @@ PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const Di
 {
   check(options);
   const std::string wrong = complaint(knots, shrink);
-  if (!wrong.empty()) return refusal<Corridor>(CorridorStatus::invalid_input, wrong);
+  if (!wrong.empty()) return no_corridor<Corridor>(CorridorStatus::invalid_input, wrong);
 
   PolytopeCorridor corridor;
   for (const Point2& centre : discs.centres) corridor.regions.push_back({centre, {}});
@@ -61,7 +61,7 @@ PolytopeCorridor polytope_corridor(const ObstacleRectangles& obstacles, const Di
       const Chord chord(obstacles.to_grid(from.x, from.y), obstacles.to_grid(to.x, to.y));
       ChordRegion region = chord_region(obstacles, chord, keep, options);
       if (region.planes.empty())
-        return refusal<Corridor>(CorridorStatus::in_collision, collision_sentence(i, disc.centre, from, to));
+        return no_corridor<Corridor>(CorridorStatus::in_collision, collision_sentence(i, disc.centre, from, to));
       for (HalfPlane& plane : region.planes) plane = obstacles.to_map(plane);
       disc.regions.push_back(std::move(region.planes));
       deficit = std::max(deficit, region.deficit);

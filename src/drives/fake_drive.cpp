@@ -22,7 +22,7 @@ class FakeDrive::Implementation
 public:
   explicit Implementation(const DriveOptions& options) : options_(checked(options)), dictionary_(drive_objects(options))
   {
-    dictionary_.add_rule(pdo_refusal);
+    dictionary_.add_rule(pdo_abort_code);
     dictionary_.listen([this](ObjectAddress address) { written(address); });
     reboot(0.0);
   }

@@ -100,7 +100,7 @@ private:
   {
     for (DriveAxis& axis : axes_)
     {
-      if (const auto refusal = line_.refusal(axis.node(), frame)) port_.send(*refusal);
+      if (const auto reply = line_.abort_reply(axis.node(), frame)) port_.send(*reply);
       if (line_.hears(axis.node(), frame)) axis.drive().receive(time(), frame);
     }
   }

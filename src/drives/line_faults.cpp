@@ -28,7 +28,7 @@ bool LineFaults::hears(int node, const can::Frame& frame) const
   return !(deaf && is(frame, cob::kSdoRequest, node));
 }
 
-std::optional<can::Frame> LineFaults::refusal(int node, const can::Frame& frame) const
+std::optional<can::Frame> LineFaults::abort_reply(int node, const can::Frame& frame) const
 {
   const DriveFault* fault = faults_.active(DriveFaultKind::sdo_abort, node);
   if (fault == nullptr || !is(frame, cob::kSdoRequest, node) || frame.size != 8) return std::nullopt;

@@ -18,7 +18,7 @@ public:
   /// Whether the node receives a frame of the bus.
   bool hears(int node, const can::Frame& frame) const;
   /// The answer in place of a node that refuses every request.
-  std::optional<can::Frame> refusal(int node, const can::Frame& frame) const;
+  std::optional<can::Frame> abort_reply(int node, const can::Frame& frame) const;
   /// The frame that reaches the bus when the node sends one; nothing if it is lost.
   std::optional<can::Frame> passes(int node, can::Frame frame);
 

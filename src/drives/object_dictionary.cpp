@@ -46,8 +46,8 @@ AbortCode ObjectDictionary::write(ObjectAddress address, std::uint8_t size, std:
   if (value < object.low) return AbortCode::value_too_low;
   for (const Rule& rule : rules_)
   {
-    const AbortCode refusal = rule(*this, address, value);
-    if (refusal != AbortCode::none) return refusal;
+    const AbortCode code = rule(*this, address, value);
+    if (code != AbortCode::none) return code;
   }
   object.value = value;
   if (listener_) listener_(address);

@@ -70,8 +70,8 @@ std::optional<can::Frame> answer_sdo(ObjectDictionary& dictionary, std::uint8_t 
   {
     case kDownload:
     {
-      const AbortCode refusal = download(dictionary, request);
-      return refusal == AbortCode::none ? reply_to(request, node, kDownloaded) : abort_sdo(node, request, refusal);
+      const AbortCode code = download(dictionary, request);
+      return code == AbortCode::none ? reply_to(request, node, kDownloaded) : abort_sdo(node, request, code);
     }
     case kUpload: return upload(dictionary, node, request);
     case kAbort: return std::nullopt;

@@ -33,7 +33,7 @@ struct Image
 Image read_image(const std::string& path);
 
 /// The formats behind read_image(). Deeper samples are reduced to 8 bits as map_server's image library does, palettes are
-/// resolved. Their libraries write nothing to the console, and are given no size that check_image_size() refuses.
+/// resolved. Their libraries write nothing to the console, and are given no size that check_image_size() rejects.
 Image decode_pgm(const InputFile& file);
 Image decode_png(const InputFile& file);
 Image decode_jpeg(const InputFile& file);

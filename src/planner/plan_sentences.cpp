@@ -1,20 +1,11 @@
 #include "plan_sentences.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "fourwis_navigation/search/search.h"
 
 namespace fourwis
 {
-
-PlanResult refusal(PlanStatus status, std::string message)
-{
-  PlanResult result;
-  result.status = status;
-  result.message = std::move(message);
-  return result;
-}
 
 std::string remarks(const PlanResult& result, const std::string& why)
 {

@@ -9,9 +9,6 @@
 namespace fourwis
 {
 
-/// A result that is not a plan: the status says of which kind, the message why.
-PlanResult refusal(PlanStatus status, std::string message);
-
 /// What is to be said of a plan besides its numbers; `why` a part fell back to stops.
 std::string remarks(const PlanResult& result, const std::string& why);
 

@@ -297,21 +297,18 @@ PlanResult plan_between(const Question& question, const std::optional<PathPiece>
   return result;
 }
 
-/// What is wrong with a request whatever the map is.
-PlanResult check_request(const Robot& robot, const PlannerOptions& options, const PlanRequest& request)
+/// What is wrong with a request whatever the map is; empty if nothing is.
+std::string complaint(const Robot& robot, const PlannerOptions& options, const PlanRequest& request)
 {
   const Point2 middle = box_of(robot).middle;
   if (is_paper(options) && !request.frontend_only && (middle.x != 0.0 || middle.y != 0.0))
-    return refusal(PlanStatus::invalid_input,
-                   "the paper's formulation takes a body whose middle is the centre of the wheels");
-  if (!is_finite(request.start)) return refusal(PlanStatus::invalid_input, "the start pose is not finite");
-  if (!is_finite(request.goal)) return refusal(PlanStatus::invalid_input, "the goal pose is not finite");
+    return "the paper's formulation takes a body whose middle is the centre of the wheels";
+  if (!is_finite(request.start)) return "the start pose is not finite";
+  if (!is_finite(request.goal)) return "the goal pose is not finite";
   if (!std::isfinite(request.goal_tolerance) || request.goal_tolerance < 0.0)
-    return refusal(PlanStatus::invalid_input,
-                   sentence("the goal's tolerance is %g m, expected a finite number from 0", request.goal_tolerance));
-  if (request.modes.empty())
-    return refusal(PlanStatus::invalid_input, "no motion mode that the wheels can do is allowed");
-  return refusal(PlanStatus::succeeded, "");
+    return sentence("the goal's tolerance is %g m, expected a finite number from 0", request.goal_tolerance);
+  if (request.modes.empty()) return "no motion mode that the wheels can do is allowed";
+  return {};
 }
 
 /// Both poses judged by the body; then the plan.
@@ -325,11 +322,11 @@ PlanResult answer_exactly(const Question& question)
   std::optional<PathPiece> out;
   if (start.clearance < 0.0 && may_leave) out = way_out(world, request.start, request.modes);
   if (start.clearance < 0.0 && !out)
-    return refusal(PlanStatus::start_in_collision,
+    return no_plan(PlanStatus::start_in_collision,
                    collision_sentence(world, start, "start", asked.start, request.start) +
                        (may_leave ? "; no motion leads out without getting deeper" : ""));
   if (goal.clearance < 0.0)
-    return refusal(PlanStatus::goal_in_collision, collision_sentence(world, goal, "goal", asked.goal, request.goal));
+    return no_plan(PlanStatus::goal_in_collision, collision_sentence(world, goal, "goal", asked.goal, request.goal));
   PlanResult result = plan_between(question, out);
   result.overlap = std::max(0.0, -start.clearance);
   if (result.overlap > 0.0 && result.status == PlanStatus::succeeded)
@@ -405,8 +402,10 @@ PlanResult Planner::plan(const World& world, const PlanRequest& asked, const Int
   const GridFrame frame(world.grid.origin, world.robot);
   PlanRequest request = frame.to_grid(asked);
   request.modes = asked.modes & DriveLimits(world.robot).possible();
-  PlanResult result = check_request(world.robot, options_, request);
-  if (result.status == PlanStatus::succeeded)
+  PlanResult result;
+  if (const std::string wrong = complaint(world.robot, options_, request); !wrong.empty())
+    result = no_plan(PlanStatus::invalid_input, wrong);
+  else
   {
     ThreadBudget threads(threads_);
     std::optional<World> seen;

@@ -2,18 +2,6 @@
 
 namespace fourwis
 {
-namespace
-{
-
-PlanResult failure(PlanStatus status, const std::string& message)
-{
-  PlanResult result;
-  result.status = status;
-  result.message = message;
-  return result;
-}
-
-}  // namespace
 
 MapPlanner::MapPlanner(const Planner& planner, const MapStore& maps, bool traced)
   : planner_(planner),
@@ -28,12 +16,12 @@ PlanAnswer MapPlanner::plan(const PlanRequest& request, const std::atomic<bool>&
   const MapStore::Snapshot map = maps_.wait_for_newest(cancelled);
   if (cancelled)
   {
-    answer.result = failure(PlanStatus::cancelled, "cancelled before planning began");
+    answer.result = no_plan(PlanStatus::cancelled, "cancelled before planning began");
     return answer;
   }
   if (!map)
   {
-    answer.result = failure(PlanStatus::invalid_input, "no usable map received yet on topic 'map'");
+    answer.result = no_plan(PlanStatus::invalid_input, "no usable map received yet on topic 'map'");
     return answer;
   }
   answer.map_stamp = map->stamp;

@@ -17,7 +17,8 @@ const ros::WallDuration kStep(0.001);
 /// Names within the record of where the robot was.
 const std::string kWorld = "world", kRobot = "robot";
 
-const BaseSimulatorParameters& checked(const BaseSimulatorParameters& parameters)
+/// The parameters themselves, for the list of initialisers. Throws ConfigError in simulated time.
+const BaseSimulatorParameters& in_real_time(const BaseSimulatorParameters& parameters)
 {
   if (ros::Time::isSimTime())
     throw ConfigError("parameter '/use_sim_time' is true, expected false where 'bus' is '" + parameters.node.bus +
@@ -28,7 +29,7 @@ const BaseSimulatorParameters& checked(const BaseSimulatorParameters& parameters
 }  // namespace
 
 SimulatedDrives::SimulatedDrives(const BaseSimulatorParameters& parameters)
-  : frames_(checked(parameters).node.frames),
+  : frames_(in_real_time(parameters).node.frames),
     base_link_(parameters.robot),
     base_(parameters.node.bus, parameters.robot, parameters.bridge, parameters.simulator),
     localization_(parameters.node, [this](const Pose& pose) { place(pose); }),

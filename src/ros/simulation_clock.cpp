@@ -13,23 +13,24 @@ const ros::Time kBeginning(1000.0);
 /// A follower that is further behind than this leaves time out instead of catching up.
 const ros::Duration kLate(0.5);
 
-const BaseSimulatorNodeOptions& checked(const BaseSimulatorNodeOptions& options)
+/// Throws ConfigError where the clock is to be published and other nodes would not follow it.
+void require_followers(const BaseSimulatorNodeOptions& options)
 {
   if (options.publish_clock && !ros::Time::isSimTime())
     throw ConfigError(
         "parameter 'publish_clock' is true, expected false where '/use_sim_time' is not true: no node "
         "would follow that clock");
-  return options;
 }
 
 }  // namespace
 
 SimulationClock::SimulationClock(const BaseSimulatorNodeOptions& options, Cycle cycle, Ready ready)
-  : period_(1.0 / checked(options).publish_frequency),
+  : period_(1.0 / options.publish_frequency),
     cycle_(std::move(cycle)),
     ready_(std::move(ready)),
     time_(kBeginning)
 {
+  require_followers(options);
   if (options.publish_clock)
   {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);

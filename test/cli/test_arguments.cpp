@@ -29,7 +29,7 @@ Words valid(const Words& more = {})
 }
 
 /// `words` must be refused in one line that contains all of `parts`.
-void expect_refusal(const Words& words, const Words& parts)
+void expect_rejection(const Words& words, const Words& parts)
 {
   try
   {
@@ -120,9 +120,9 @@ TEST(Arguments, MalformedPosesAreRejectedByOptionAndValue)
     {
       SCOPED_TRACE(option + " '" + pose + "'");
       const std::string other = option == "--start" ? "--goal" : "--start";
-      expect_refusal({"--map", "m", other, "0,0,0", option + "=" + pose}, {option});
+      expect_rejection({"--map", "m", other, "0,0,0", option + "=" + pose}, {option});
       if (pose.empty()) continue;
-      expect_refusal({"--map", "m", other, "0,0,0", option, pose}, {option, "'" + pose + "'", "X,Y,YAW"});
+      expect_rejection({"--map", "m", other, "0,0,0", option, pose}, {option, "'" + pose + "'", "X,Y,YAW"});
     }
 }
 
@@ -130,7 +130,7 @@ TEST(Arguments, UnknownModesAreRejectedByName)
 {
   for (const std::string modes : {"spin", "none", "Ackermann", "ackermann,", ",lateral", "ackermann,sideways",
                                   "ackermann lateral", "ackermann, lateral"})
-    expect_refusal(valid({"--modes", modes}), {"--modes", "'" + modes + "'", "ackermann, lateral, parallel"});
+    expect_rejection(valid({"--modes", modes}), {"--modes", "'" + modes + "'", "ackermann, lateral, parallel"});
 }
 
 TEST(Arguments, EachPlannedModeCanBeAskedForAlone)
@@ -144,16 +144,16 @@ TEST(Arguments, EachPlannedModeCanBeAskedForAlone)
 
 TEST(Arguments, ExactlyOneMapIsNeeded)
 {
-  expect_refusal({"--start", "0,0,0", "--goal", "0,0,0"}, {"--map", "--octomap", "exactly one"});
-  expect_refusal(valid({"--octomap", "b.bt"}), {"--map", "--octomap", "exactly one"});
+  expect_rejection({"--start", "0,0,0", "--goal", "0,0,0"}, {"--map", "--octomap", "exactly one"});
+  expect_rejection(valid({"--octomap", "b.bt"}), {"--map", "--octomap", "exactly one"});
 }
 
 TEST(Arguments, StartAndGoalAreNeededOnce)
 {
-  expect_refusal({"--map", "m", "--goal", "0,0,0"}, {"--start"});
-  expect_refusal({"--map", "m", "--start", "0,0,0"}, {"--goal"});
-  expect_refusal({"--map", "m", "--start", "0,0,0", "--goal"}, {"--goal"});
-  expect_refusal(valid({"--start", "0,0,0"}), {"--start"});
+  expect_rejection({"--map", "m", "--goal", "0,0,0"}, {"--start"});
+  expect_rejection({"--map", "m", "--start", "0,0,0"}, {"--goal"});
+  expect_rejection({"--map", "m", "--start", "0,0,0", "--goal"}, {"--goal"});
+  expect_rejection(valid({"--start", "0,0,0"}), {"--start"});
 }
 
 TEST(Arguments, HeightsBelongToAnOctomapAndAreInOrder)
@@ -163,13 +163,13 @@ TEST(Arguments, HeightsBelongToAnOctomapAndAreInOrder)
     more.insert(more.begin(), octomap.begin(), octomap.end());
     return more;
   };
-  expect_refusal(valid({"--height-min", "0.2"}), {"--height-min", "--octomap"});
-  expect_refusal(valid({"--corridors"}), {"--corridors", "--svg"});
-  expect_refusal(valid({"--iterations"}), {"--iterations", "--svg"});
-  expect_refusal(valid({"--height-max", "0.2"}), {"--height-max", "--octomap"});
-  expect_refusal(with({"--height-min", "nan"}), {"--height-min", "'nan'"});
-  expect_refusal(with({"--height-max", "high"}), {"--height-max", "'high'"});
-  expect_refusal(with({"--height-min", "1", "--height-max", "1"}), {"--height-max", "--height-min"});
+  expect_rejection(valid({"--height-min", "0.2"}), {"--height-min", "--octomap"});
+  expect_rejection(valid({"--corridors"}), {"--corridors", "--svg"});
+  expect_rejection(valid({"--iterations"}), {"--iterations", "--svg"});
+  expect_rejection(valid({"--height-max", "0.2"}), {"--height-max", "--octomap"});
+  expect_rejection(with({"--height-min", "nan"}), {"--height-min", "'nan'"});
+  expect_rejection(with({"--height-max", "high"}), {"--height-max", "'high'"});
+  expect_rejection(with({"--height-min", "1", "--height-max", "1"}), {"--height-max", "--height-min"});
   EXPECT_EQ(parse(with({"--height-max", "3"})).band.max, 3.0);
   EXPECT_EQ(parse(with({"--height-max", "3"})).band.min, HeightBand().min);
 }
@@ -177,21 +177,22 @@ TEST(Arguments, HeightsBelongToAnOctomapAndAreInOrder)
 TEST(Arguments, RepeatIsAPositiveWholeNumber)
 {
   for (const std::string count : {"0", "-1", "1.5", "many", "1e3", "99999999999"})
-    expect_refusal(valid({"--repeat", count}), {"--repeat"});
+    expect_rejection(valid({"--repeat", count}), {"--repeat"});
 }
 
 TEST(Arguments, OnlyTheJsonGoesToTheStandardOutput)
 {
-  for (const std::string option : {"--csv", "--svg"}) expect_refusal(valid({option, "-"}), {option, "standard output"});
+  for (const std::string option : {"--csv", "--svg"})
+    expect_rejection(valid({option, "-"}), {option, "standard output"});
 }
 
 TEST(Arguments, UnknownArgumentsAreRejectedByName)
 {
-  expect_refusal(valid({"--bogus", "1"}), {"--bogus"});
-  expect_refusal(valid({"stray"}), {"stray"});
+  expect_rejection(valid({"--bogus", "1"}), {"--bogus"});
+  expect_rejection(valid({"stray"}), {"stray"});
 }
 
-TEST(Arguments, RefusalsKnowWhereTheJsonShallGo)
+TEST(Arguments, RejectionsKnowWhereTheJsonShallGo)
 {
   for (const Words& words : {Words{"--json", "a.json"}, Words{"--json=a.json", "--start"},
                              valid({"--x", "--json=a.json"}), valid({"--modes", "spin", "--json", "a.json"})})

@@ -89,7 +89,7 @@ TEST_F(OutputFileTest, DeviceStaysADevice)
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-void expect_refusal(const std::string& path)
+void expect_rejection(const std::string& path)
 {
   try
   {
@@ -105,9 +105,9 @@ void expect_refusal(const std::string& path)
 TEST_F(OutputFileTest, PlacesThatCannotBeWrittenAreRefusedByName)
 {
   std::ofstream(path("file")) << "a file";
-  expect_refusal(path("missing_directory/plan.json"));
-  expect_refusal(path("file/plan.json"));
-  expect_refusal(directory_.string());
+  expect_rejection(path("missing_directory/plan.json"));
+  expect_rejection(path("file/plan.json"));
+  expect_rejection(directory_.string());
 }
 
 TEST_F(OutputFileTest, FullDiskIsReportedByName)

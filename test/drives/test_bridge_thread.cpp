@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/can/bus/real_time.h"
 #include "real_time_drives.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "drives_fixture.h"
 #include "fourwis_navigation/sim/base_simulator.h"
 #include "fourwis_navigation/vehicle/wheels.h"

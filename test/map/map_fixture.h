@@ -29,7 +29,7 @@ protected:
     return read_map_file(write_yaml(changes));
   }
 
-  std::string refusal_of_image(const std::string& bytes) const
+  std::string rejection_of_image(const std::string& bytes) const
   {
     return message_of([&] { read_image_bytes(bytes); });
   }

@@ -13,7 +13,7 @@ namespace
 
 /// What a grid is refused with, or nothing.
 template <typename Check>
-std::string refusal(const Check& check)
+std::string rejection(const Check& check)
 {
   try
   {
@@ -28,14 +28,15 @@ std::string refusal(const Check& check)
 
 void expect_rejected(const OccupancyGrid& grid, const std::string& field)
 {
-  EXPECT_NE(refusal([&] { check_grid(grid); }).find(field), std::string::npos) << refusal([&] { check_grid(grid); });
-  EXPECT_NE(refusal([&] { ObstacleMap map(grid); }).find(field), std::string::npos) << field;
+  EXPECT_NE(rejection([&] { check_grid(grid); }).find(field), std::string::npos)
+      << rejection([&] { check_grid(grid); });
+  EXPECT_NE(rejection([&] { ObstacleMap map(grid); }).find(field), std::string::npos) << field;
 }
 
 TEST(CheckGrid, AcceptsWhatIsUsable)
 {
-  EXPECT_EQ(refusal([] { check_grid(free_grid(1, 1, 1e-3)); }), "");
-  EXPECT_EQ(refusal([] { check_grid(free_grid(30, 2, 5.0, {-1e4, 1e4, 100.0})); }), "");
+  EXPECT_EQ(rejection([] { check_grid(free_grid(1, 1, 1e-3)); }), "");
+  EXPECT_EQ(rejection([] { check_grid(free_grid(30, 2, 5.0, {-1e4, 1e4, 100.0})); }), "");
 }
 
 TEST(CheckGrid, RejectsGridsWithoutCells)

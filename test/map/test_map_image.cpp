@@ -144,7 +144,7 @@ TEST_F(MapImage, SaysWhatItExpectedOfADefectiveBmpTiffOrJpeg)
       {"no picture, whatever its name says", "expected a PGM (P2 or P5), PNG, JPEG, BMP or TIFF image"}};
   for (const auto& [bytes, expected] : defects)
   {
-    const std::string message = refusal_of_image(bytes);
+    const std::string message = rejection_of_image(bytes);
     EXPECT_NE(message.find(folder_ / "map.pgm"), std::string::npos) << message;
     EXPECT_NE(message.find(expected), std::string::npos) << message;
   }
@@ -155,13 +155,13 @@ TEST_F(MapImage, RefusesTheSizeOfABmpTiffOrJpegBeforeItIsAllocated)
 {
   std::string jpeg = jpeg_bytes(8, Rows(8, std::vector<std::uint8_t>(8, 0)), 1);
   jpeg.replace(jpeg.find("\xff\xc0") + 5, 4, "\xff\xdc\xff\xdc");  // height and width
-  EXPECT_NE(refusal_of_image(jpeg).find("65500 x 65500"), std::string::npos) << refusal_of_image(jpeg);
+  EXPECT_NE(rejection_of_image(jpeg).find("65500 x 65500"), std::string::npos) << rejection_of_image(jpeg);
   std::string tiff = tiff_bytes(1, {{0}}, 1);
   for (const std::size_t entry : {0U, 1U}) tiff.replace(10 + 12 * entry + 8, 4, little(100000, 4));
-  EXPECT_NE(refusal_of_image(tiff), "");
+  EXPECT_NE(rejection_of_image(tiff), "");
   std::string bmp = bmp_bytes(1, {{0}}, 8);
   for (const std::size_t field : {18U, 22U}) bmp.replace(field, 4, little(100000, 4));
-  EXPECT_NE(refusal_of_image(bmp), "");
+  EXPECT_NE(rejection_of_image(bmp), "");
 }
 
 TEST_F(MapImage, AveragesTheColoursAndTakesTransparentPixelsForUnknown)
@@ -182,15 +182,15 @@ TEST_F(MapImage, RejectsADefectiveImage)
        {"", "P", "P2", "P5", "P6 1 1 255\nabc", "GIF89a", "P5 0 1 255\n", "P5 -1 1 255\n1", "P5 1 1 0\n1",
         "P5 1 1 65536\n11", "P5 x 1 255\n1", "P5 1 1 255", "P5 1 1 100\n\xff", "P2 1 1 255 256", "P2 2 1 255 1 x",
         "P2 2 1 255 11 ", "P5 99999999999999999999 1 255\n1", "\x89PNG\r\n\x1a\n"})
-    EXPECT_NE(refusal_of_image(bytes), "") << bytes;
+    EXPECT_NE(rejection_of_image(bytes), "") << bytes;
 }
 
 TEST_F(MapImage, RejectsAHeaderThatPromisesMoreThanTheFileHolds)
 {
-  EXPECT_NE(refusal_of_image("P5 16384 16384 255\nabc").find("truncated"), std::string::npos);
-  EXPECT_NE(refusal_of_image("P2 16384 16384 255\n1 2 3").find("truncated"), std::string::npos);
-  EXPECT_NE(refusal_of_image("P5 16385 16384 255\nabc").find("size"), std::string::npos);
-  EXPECT_NE(refusal_of_image("P5 1000000000 1000000000 255\nabc").find("size"), std::string::npos);
+  EXPECT_NE(rejection_of_image("P5 16384 16384 255\nabc").find("truncated"), std::string::npos);
+  EXPECT_NE(rejection_of_image("P2 16384 16384 255\n1 2 3").find("truncated"), std::string::npos);
+  EXPECT_NE(rejection_of_image("P5 16385 16384 255\nabc").find("size"), std::string::npos);
+  EXPECT_NE(rejection_of_image("P5 1000000000 1000000000 255\nabc").find("size"), std::string::npos);
 }
 
 TEST_F(MapImage, RejectsAnImageCutShortAnywhereAndIgnoresWhatFollowsIt)
@@ -200,7 +200,7 @@ TEST_F(MapImage, RejectsAnImageCutShortAnywhereAndIgnoresWhatFollowsIt)
                                    png_bytes(3, rows, {PNG_COLOR_TYPE_GRAY, 8, true}), tiff_bytes(3, rows, 1)})
   {
     for (std::size_t size = 0; size < bytes.size(); ++size)
-      EXPECT_NE(refusal_of_image(bytes.substr(0, size)), "") << size << " of " << bytes.size();
+      EXPECT_NE(rejection_of_image(bytes.substr(0, size)), "") << size << " of " << bytes.size();
     EXPECT_EQ(read_image_bytes(bytes + "garbage").data, small_cells);
   }
 }

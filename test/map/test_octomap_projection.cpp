@@ -82,7 +82,7 @@ void expect_projection(const Tree& tree, const std::string& path, double lower, 
 {
   const double resolution = tree.getResolution();
   OccupancyGrid grid;
-  const std::string refusal = message_of([&] {
+  const std::string rejection = message_of([&] {
     grid = project_octomap_file(path, {lower * resolution, upper * resolution});
   });
   ASSERT_EQ(grid.data.size(), static_cast<std::size_t>(grid.width * grid.height));
@@ -97,7 +97,7 @@ void expect_projection(const Tree& tree, const std::string& path, double lower, 
       wrong += grid_value(grid, x, y) != value;
     }
   }
-  EXPECT_EQ(refusal.empty(), known > 0) << refusal;
+  EXPECT_EQ(rejection.empty(), known > 0) << rejection;
   EXPECT_EQ(wrong, 0) << "columns, band " << lower << " to " << upper << " voxels";
 }
 
@@ -110,7 +110,7 @@ protected:
     return folder_ / "map.bt";
   }
 
-  std::string refusal_of(const std::string& bytes, const HeightBand& band = {-1.0, 1.0}) const
+  std::string rejection_of(const std::string& bytes, const HeightBand& band = {-1.0, 1.0}) const
   {
     write_bytes(folder_ / "map.bt", bytes);
     return message_of([&] { project_octomap_file(folder_ / "map.bt", band); });
@@ -235,7 +235,7 @@ TEST_F(OctomapProjection, RejectsWhatIsNotAnOctomapByField)
       {"# Octomap OcTree file\nid OcTree\nsize 5\nres 0.1\ndata\n" + std::string(100000, '\x3f'), "data"},
       {start + "id OcTree\nsize 9\nres 0.1\ndata\n\x55\x55", "data"}};  // eight voxels, each an eighth of everything
   for (const auto& [bytes, field] : defects)
-    EXPECT_EQ(refusal_of(bytes).rfind(folder_ / "map.bt" + ": " + field + ": ", 0), 0U) << refusal_of(bytes);
+    EXPECT_EQ(rejection_of(bytes).rfind(folder_ / "map.bt" + ": " + field + ": ", 0), 0U) << rejection_of(bytes);
   EXPECT_NE(message_of([&] { project_octomap_file(folder_ / "absent.bt", {}); }), "");
   EXPECT_NE(message_of([&] { project_octomap_file(folder_ / ".", {}); }), "");
 }
@@ -252,13 +252,13 @@ TEST_F(OctomapProjection, RejectsAFileCutShortAnywhereAndSurvivesRandomDamage)
   for (const std::string& bytes : {read_bytes(folder_ / "map.bt"), read_bytes(folder_ / "map.ot")})
   {
     for (std::size_t size = 0; size < bytes.size(); ++size)
-      EXPECT_NE(refusal_of(bytes.substr(0, size)), "") << size << " of " << bytes.size();
-    EXPECT_EQ(refusal_of(bytes + "garbage"), "");
+      EXPECT_NE(rejection_of(bytes.substr(0, size)), "") << size << " of " << bytes.size();
+    EXPECT_EQ(rejection_of(bytes + "garbage"), "");
     int refused = 0;
     for (int i = 0; i < fuzz_rounds(2000); ++i)
     {
       SCOPED_TRACE("seed 6, mutation " + std::to_string(i));
-      ASSERT_NO_THROW(refused += refusal_of(mutated(bytes, random)).empty() ? 0 : 1);
+      ASSERT_NO_THROW(refused += rejection_of(mutated(bytes, random)).empty() ? 0 : 1);
     }
     EXPECT_GT(refused, 500);
   }

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/model/option_check.h"
 #include "fourwis_navigation/model/option_text.h"
 #include "fourwis_navigation/model/robot.h"

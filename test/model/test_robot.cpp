@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "../support/exact_polygon.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 
 namespace fourwis
 {
@@ -15,7 +15,7 @@ namespace
 
 using Corners = std::vector<Point2>;
 
-std::string refusal(const Robot& robot)
+std::string rejection(const Robot& robot)
 {
   return error_of<std::invalid_argument>([&] { check(robot); });
 }
@@ -70,10 +70,10 @@ TEST(OffsetText, IsOnePoint)
 
 TEST(RobotCheck, TakesConvexFootprintsAroundTheWheelsInEitherSense)
 {
-  EXPECT_EQ(refusal(with_footprint(kOctagon)), "");
-  EXPECT_EQ(refusal(with_footprint({kOctagon.rbegin(), kOctagon.rend()})), "");
+  EXPECT_EQ(rejection(with_footprint(kOctagon)), "");
+  EXPECT_EQ(rejection(with_footprint({kOctagon.rbegin(), kOctagon.rend()})), "");
   Random random(3);
-  for (int k = 0; k < 200; ++k) ASSERT_EQ(refusal(polygon_robot(random)), "") << "seed 3, robot " << k;
+  for (int k = 0; k < 200; ++k) ASSERT_EQ(rejection(polygon_robot(random)), "") << "seed 3, robot " << k;
 }
 
 TEST(RobotCheck, RejectsFootprintsByName)
@@ -91,7 +91,7 @@ TEST(RobotCheck, RejectsFootprintsByName)
   };
   for (const auto& [corners, expected] : cases)
   {
-    const std::string what = refusal(with_footprint(corners));
+    const std::string what = rejection(with_footprint(corners));
     EXPECT_TRUE(says(what, "parameter 'footprint' is [["));
     EXPECT_TRUE(says(what, expected));
   }
@@ -101,30 +101,30 @@ TEST(RobotCheck, LooksForTheWheelsWhereTheyAreInBaseLink)
 {
   Robot robot = with_footprint(kOctagon);
   robot.base_offset = {0.34, 0.0};
-  EXPECT_TRUE(says(refusal(robot), "one is at [0.68, "));
+  EXPECT_TRUE(says(rejection(robot), "one is at [0.68, "));
   for (Point2& corner : robot.footprint) corner.x += 0.34;
-  EXPECT_EQ(refusal(robot), "");
+  EXPECT_EQ(rejection(robot), "");
 }
 
 TEST(RobotCheck, KeepsTheWheelsWithinARectangleThatIsMoved)
 {
   Robot robot;
   robot.body_offset = {0.16, -0.05};
-  EXPECT_EQ(refusal(robot), "");
+  EXPECT_EQ(rejection(robot), "");
   robot.body_offset = {0.17, 0.0};
-  EXPECT_TRUE(says(refusal(robot), "'wheelbase' is 0.68"));
-  EXPECT_TRUE(says(refusal(robot), "'body_offset' (0.17 m)"));
+  EXPECT_TRUE(says(rejection(robot), "'wheelbase' is 0.68"));
+  EXPECT_TRUE(says(rejection(robot), "'body_offset' (0.17 m)"));
   robot.body_offset = {0.0, -0.06};
-  EXPECT_TRUE(says(refusal(robot), "'track_width' is 0.52"));
+  EXPECT_TRUE(says(rejection(robot), "'track_width' is 0.52"));
 }
 
 TEST(RobotCheck, RejectsOffsetsThatAreNoNumbers)
 {
   Robot robot;
   robot.base_offset = {NAN, 0.0};
-  EXPECT_TRUE(says(refusal(robot), "'base_offset'"));
+  EXPECT_TRUE(says(rejection(robot), "'base_offset'"));
   robot = with_footprint({{0.5, 0.4}, {-0.5, 0.4}, {-0.5, -INFINITY}});
-  EXPECT_TRUE(says(refusal(robot), "'footprint'"));
+  EXPECT_TRUE(says(rejection(robot), "'footprint'"));
 }
 
 TEST(RobotSize, IsThatOfTheFootprint)

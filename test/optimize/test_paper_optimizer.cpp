@@ -206,9 +206,9 @@ TEST(PaperOptions, OutOfRangeAreRefusedByName)
       PaperOptimizer(robot, options, speed);
       ADD_FAILURE() << name << " was accepted";
     }
-    catch (const std::invalid_argument& refusal)
+    catch (const std::invalid_argument& error)
     {
-      EXPECT_NE(std::string(refusal.what()).find(name), std::string::npos) << refusal.what();
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
     }
   };
   expect_refused("steering_comfort", [](PaperOptions& o) { o.steering_comfort = -1.0; });

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis
@@ -22,7 +22,7 @@ ParameterMap shipped()
   return parameters;
 }
 
-std::string refusal(const std::string& key, const ParameterValue& value)
+std::string rejection(const std::string& key, const ParameterValue& value)
 {
   ParameterMap parameters = shipped();
   parameters[key] = value;
@@ -48,10 +48,10 @@ TEST(CanBridgeParameters, TheWheelsOfThePictureAreThoseOfTheDrives)
 
 TEST(CanBridgeParameters, WhatIsWrongIsNamed)
 {
-  EXPECT_TRUE(says(refusal("real_time_priority", 100.0), "'real_time_priority' is 100, expected"));
-  EXPECT_TRUE(says(refusal("odom_frame", std::string("/odom")), "'odom_frame' is '/odom', expected"));
-  EXPECT_TRUE(says(refusal("can_bridge/bit_rate", 1.0), "in 'can_bridge': parameter 'bit_rate' is 1, expected"));
-  EXPECT_TRUE(says(refusal("speed", 1.0), "unknown parameter 'speed'"));
+  EXPECT_TRUE(says(rejection("real_time_priority", 100.0), "'real_time_priority' is 100, expected"));
+  EXPECT_TRUE(says(rejection("odom_frame", std::string("/odom")), "'odom_frame' is '/odom', expected"));
+  EXPECT_TRUE(says(rejection("can_bridge/bit_rate", 1.0), "in 'can_bridge': parameter 'bit_rate' is 1, expected"));
+  EXPECT_TRUE(says(rejection("speed", 1.0), "unknown parameter 'speed'"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/parameters/parameters.h"
 
 namespace fourwis

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/parameters/node_parameters.h"
 
 namespace fourwis

@@ -30,7 +30,7 @@ protected:
     return path_;
   }
   /// What reading `text` throws; empty when nothing.
-  std::string refusal(const std::string& text)
+  std::string rejection(const std::string& text)
   {
     return complaint(+[](const ParameterMap& path) { return read_parameter_file(path.begin()->first); },
                      {{write(text), true}});
@@ -101,7 +101,7 @@ TEST_F(ParameterFile, UnusableFilesAreRejectedByNameAndLine)
   };
   for (const auto& [text, expected] : cases)
   {
-    const std::string what = refusal(text);
+    const std::string what = rejection(text);
     EXPECT_EQ(what.find(path_), 0u) << text << "\n-> " << what;
     EXPECT_TRUE(contains(what, expected)) << text << "\n-> " << what;
     EXPECT_FALSE(contains(what, "\n")) << what;
@@ -168,8 +168,8 @@ TEST_F(ParameterFile, ValuesThatOthersReadOtherwiseAreRejectedByNameAndLine)
       {"a: rad(1/0)\n", ":1: parameter 'a' is rad(1/0), expected radians: numbers and pi"},
       {"a: !metres 30\n", ":1: parameter 'a' is 30 with the tag !metres, expected a value without a tag"},
   };
-  for (const auto& [text, expected] : cases) EXPECT_TRUE(contains(refusal(text), expected)) << refusal(text);
-  EXPECT_EQ(refusal("a: -2147483648\nb: 2147483647\n"), "");
+  for (const auto& [text, expected] : cases) EXPECT_TRUE(contains(rejection(text), expected)) << rejection(text);
+  EXPECT_EQ(rejection("a: -2147483648\nb: 2147483647\n"), "");
 }
 
 TEST_F(ParameterFile, ShippedFilesAreReadWhole)

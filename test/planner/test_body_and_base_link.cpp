@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/exact_polygon.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "fourwis_navigation/vehicle/base_link.h"
 #include "hall.h"

@@ -7,7 +7,7 @@
 
 #include "../support/driven_poses.h"
 #include "../support/rectangle.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "hall.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "hall.h"
 #include "planner/plan_sentences.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/grids.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/planner/planner.h"
 #include "planner/candidates.h"
 #include "planner/segment_refiner.h"

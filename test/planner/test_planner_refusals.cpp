@@ -164,7 +164,7 @@ TEST_F(PlannerRefusals, IpoptIsRejectedByNameOnlyWhereItIsNotBuiltIn)
   PlannerOptions solver, paper;
   solver.optimize.solver = paper.optimize.solver = NlpSolver::ipopt;
   paper.optimize.formulation = Formulation::paper;
-  const auto refusal = [](const PlannerOptions& changed) -> std::string {
+  const auto rejection = [](const PlannerOptions& changed) -> std::string {
     try
     {
       Planner{changed};
@@ -176,8 +176,8 @@ TEST_F(PlannerRefusals, IpoptIsRejectedByNameOnlyWhereItIsNotBuiltIn)
     }
   };
   const std::string why = ": this program was built without Ipopt";
-  EXPECT_EQ(refusal(solver), has_ipopt() ? "" : "parameter 'solver' is 'ipopt', expected 'structured'" + why);
-  EXPECT_EQ(refusal(paper), has_ipopt() ? "" : "parameter 'formulation' is 'paper', expected 'default'" + why);
+  EXPECT_EQ(rejection(solver), has_ipopt() ? "" : "parameter 'solver' is 'ipopt', expected 'structured'" + why);
+  EXPECT_EQ(rejection(paper), has_ipopt() ? "" : "parameter 'formulation' is 'paper', expected 'default'" + why);
 }
 
 TEST_F(PlannerRefusals, RejectsLessThanOneThread)

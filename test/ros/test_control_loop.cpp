@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/model/fingerprint.h"
 #include "ros/control_loop.h"
 #include "ros/drive_conversions.h"

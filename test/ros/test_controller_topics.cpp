@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "ros/controller_topics.h"
 #include "ros/tracking_marker.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/random.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/model/fingerprint.h"
 #include "ros/conversions.h"
 

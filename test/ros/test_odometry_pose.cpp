@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "ros/conversions.h"
 #include "ros/odometry_pose.h"
 
@@ -43,7 +43,7 @@ protected:
     EXPECT_NEAR(wrap_angle(pose.theta - expected.theta), 0.0, 1e-9);
   }
 
-  std::string refusal(const nav_msgs::Odometry& message)
+  std::string rejection(const nav_msgs::Odometry& message)
   {
     return error_of<ConversionError>([&] { pose_.at(message); });
   }
@@ -72,7 +72,7 @@ TEST_F(OdometryPoseTest, the_newest_localisation_stands_in_until_it_is_too_old)
   localize({1, 0, 0}, 10.0);
   expect_at(odometry({}, 10.4), {1, 0, 0});
   EXPECT_TRUE(
-      says(refusal(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5"));
+      says(rejection(odometry({}, 10.6)), "is 0.6 s older than odom, expected at most transform_tolerance = 0.5"));
 }
 
 TEST_F(OdometryPoseTest, a_localisation_that_dates_ahead_will_do_from_the_first_one_on)
@@ -86,12 +86,12 @@ TEST_F(OdometryPoseTest, a_stamp_of_no_sense_is_refused_like_an_old_one)
   localize({1, 0, 0}, 10.0);
   nav_msgs::Odometry message = odometry({}, 10.0);
   message.header.stamp = ros::Time(4294967295u, 999999999u);
-  EXPECT_TRUE(says(refusal(message), "older than odom"));
+  EXPECT_TRUE(says(rejection(message), "older than odom"));
 }
 
 TEST_F(OdometryPoseTest, without_localisation_there_is_no_pose)
 {
-  EXPECT_TRUE(says(refusal(odometry({}, 10.0)), "no transform from 'odom' to 'map'"));
+  EXPECT_TRUE(says(rejection(odometry({}, 10.0)), "no transform from 'odom' to 'map'"));
 }
 
 TEST_F(OdometryPoseTest, odometry_that_makes_no_sense_is_refused)
@@ -99,16 +99,16 @@ TEST_F(OdometryPoseTest, odometry_that_makes_no_sense_is_refused)
   localize({}, 0.0, true);
   nav_msgs::Odometry message = odometry({}, 1.0);
   message.child_frame_id = "imu";
-  EXPECT_TRUE(says(refusal(message), "child_frame_id is 'imu', expected robot_base_frame = 'base_link'"));
+  EXPECT_TRUE(says(rejection(message), "child_frame_id is 'imu', expected robot_base_frame = 'base_link'"));
   message = odometry({}, 1.0);
   message.pose.pose.position.x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(says(refusal(message), "odom: position"));
+  EXPECT_TRUE(says(rejection(message), "odom: position"));
   message = odometry({}, 1.0);
   message.pose.pose.orientation.w = 0.0;
-  EXPECT_TRUE(says(refusal(message), "odom: orientation"));
+  EXPECT_TRUE(says(rejection(message), "odom: orientation"));
   message = odometry({}, 1.0);
   message.header.frame_id = "";
-  EXPECT_TRUE(says(refusal(message), "odom: header.frame_id is empty"));
+  EXPECT_TRUE(says(rejection(message), "odom: header.frame_id is empty"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 
 namespace fourwis
 {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "inbox.h"
 #include "ros/conversions.h"
 #include "ros/pose_source.h"

@@ -11,7 +11,7 @@
 
 #include "../support/grids.h"
 #include "../support/path_laws.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 
 namespace fourwis
 {

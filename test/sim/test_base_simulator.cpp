@@ -12,7 +12,7 @@
 
 #include "../drives/simulated_drive.h"
 #include "../support/random.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/vehicle/wheel_odometry.h"
 
 namespace fourwis

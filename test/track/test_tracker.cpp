@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 #include "random_stretch.h"
 #include "track/mpc.h"

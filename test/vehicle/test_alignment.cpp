@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/random.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/vehicle/alignment.h"
 #include "fourwis_navigation/vehicle/mode_traits.h"
 #include "fourwis_navigation/vehicle/wheel_branches.h"
@@ -24,7 +24,7 @@ Robot with_travel(double degrees)
   return robot;
 }
 
-std::string refusal(const Robot& robot, double timeout, double besides = 0.0)
+std::string rejection(const Robot& robot, double timeout, double besides = 0.0)
 {
   return error_of<std::invalid_argument>(
       [&] { check_alignment_timeout(robot, "alignment_timeout", timeout, besides); });
@@ -82,11 +82,11 @@ TEST(Alignment, a_timeout_that_is_too_short_is_rejected_with_both_keys_and_what_
 {
   Robot slow;
   slow.wheel_max_rate = 0.4;
-  const std::string text = refusal(slow, 5.0, 0.1);
+  const std::string text = rejection(slow, 5.0, 0.1);
   EXPECT_TRUE(says(text, "'alignment_timeout' is 5, expected at least 9.09 s")) << text;
   EXPECT_TRUE(says(text, "'wheel_max_rate' is 0.4 rad/s")) << text;
-  EXPECT_EQ(refusal(slow, 9.09, 0.1), "");
-  EXPECT_EQ(refusal(Robot{}, 3.0), "");
+  EXPECT_EQ(rejection(slow, 9.09, 0.1), "");
+  EXPECT_EQ(rejection(Robot{}, 3.0), "");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../support/random.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/model/point.h"
 
 namespace fourwis

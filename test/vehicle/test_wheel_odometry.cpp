@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../support/random.h"
-#include "../support/refusals.h"
+#include "../support/sentences.h"
 #include "fourwis_navigation/vehicle/wheel_motion.h"
 
 namespace fourwis

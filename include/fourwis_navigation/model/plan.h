@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "fourwis_navigation/model/mode.h"
 #include "fourwis_navigation/model/path.h"
@@ -92,5 +93,14 @@ struct PlanResult
   double overlap = 0.0;   ///< by how much the sides of the body have to be moved inward to be free at the start [m]
   bool degraded = false;  ///< whether the deadline cut the work short
 };
+
+/// A result that is no plan: the status says of which kind, the message why.
+inline PlanResult no_plan(PlanStatus status, std::string message)
+{
+  PlanResult result;
+  result.status = status;
+  result.message = std::move(message);
+  return result;
+}
 
 }  // namespace fourwis

@@ -69,7 +69,7 @@ void SdoClient::accept(const SdoReply& reply, double now, Outbox& outbox)
       return request(now, outbox);
     case SdoReply::Kind::value:
       if (!reading_) return;
-      if (!is_as_wanted(reply.value)) return fail(step().refusal, reply.value);
+      if (!is_as_wanted(reply.value)) return fail(step().mismatch, reply.value);
       return advance(now, outbox);
   }
 }

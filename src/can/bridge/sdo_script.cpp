@@ -52,11 +52,11 @@ SdoStep write_only(ObjectId object, std::uint32_t value, int size)
   return step;
 }
 
-SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault refusal)
+SdoStep expect(Kind kind, ObjectId object, std::uint32_t value, Fault mismatch)
 {
   SdoStep step = write(object, value, 4);
   step.kind = kind;
-  step.refusal = refusal;
+  step.mismatch = mismatch;
   return step;
 }
 

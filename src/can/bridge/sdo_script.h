@@ -24,10 +24,10 @@ struct SdoStep
   Kind kind = Kind::write;
   ObjectId object;
   std::uint32_t value = 0;
-  int size = 4;                             ///< bytes of the object
-  std::uint32_t compared = 0xFFFFFFFF;      ///< the bits that must read back as written
-  bool optional = false;                    ///< a drive may lack the object
-  Fault refusal = Fault::setting_not_kept;  ///< the fault when the value read is another
+  int size = 4;                              ///< bytes of the object
+  std::uint32_t compared = 0xFFFFFFFF;       ///< the bits that must read back as written
+  bool optional = false;                     ///< a drive may lack the object
+  Fault mismatch = Fault::setting_not_kept;  ///< the fault when the value read is another
 };
 
 using SdoScript = std::vector<SdoStep>;

@@ -123,7 +123,7 @@ TEST_F(Client, AnswersToOtherRequestsDoNotCount)
 
 TEST_F(Client, AnotherValueIsARefusalOfItsStep)
 {
-  script_[0].refusal = Fault::wrong_device;
+  script_[0].mismatch = Fault::wrong_device;
   answer(frame_of(0x585, {0x43, 0x00, 0x10, 0, 8, 0, 0, 0}));
   EXPECT_EQ(client_.state(), State::failed);
   EXPECT_EQ(client_.fault(), Fault::wrong_device);

@@ -11,8 +11,9 @@
 namespace fourwis
 {
 
+/// A result that is no corridor: the status says of which kind, the message why.
 template <typename Regions>
-CorridorResult<Regions> refusal(CorridorStatus status, std::string message)
+CorridorResult<Regions> no_corridor(CorridorStatus status, std::string message)
 {
   CorridorResult<Regions> result;
   result.status = status;
