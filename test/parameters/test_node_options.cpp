@@ -89,7 +89,7 @@ Subject<BaseSimulatorNodeOptions> subject_of()
            {"odom_frame", [](const O& o) { return double(o.frames.odom_frame == "odom"); }},
            {"robot_base_frame", [](const O& o) { return double(o.frames.robot_base_frame == "base_link"); }},
            {"publish_odom_tf", [](const O& o) { return double(o.frames.publish_odom_tf); }},
-           {"wheel_radius", [](const O& o) { return o.frames.wheel_radius; }, {0.01, 10.0}},
+           {"wheel_radius", [](const O& o) { return o.frames.wheel_radius; }, {0.01, 2.0}},
            {"publish_frequency", [](const O& o) { return o.publish_frequency; }, {1.0, 1000.0}},
            {"transform_tolerance", [](const O& o) { return o.transform_tolerance; }, {0.0, 10.0}},
            {"publish_clock", [](const O& o) { return double(o.publish_clock); }},

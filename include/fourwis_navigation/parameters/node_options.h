@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "fourwis_navigation/can/bridge/bridge_options.h"
 #include "fourwis_navigation/can/bus/real_time.h"
 #include "fourwis_navigation/map/octomap_projection.h"
 #include "fourwis_navigation/model/mode.h"
@@ -172,7 +173,8 @@ struct BaseSimulatorNodeOptions
     row("bus", o.bus, Word{});
     row("global_frame", o.global_frame, FrameName{});
     row.group("", o.frames);
-    row("wheel_radius", o.frames.wheel_radius, 0.01, 10.0, "m");
+    row("wheel_radius", o.frames.wheel_radius, can::kWheelRadii.least, can::kWheelRadii.greatest,
+        can::kWheelRadii.unit);
     row("publish_frequency", o.publish_frequency, 1.0, 1000.0, "Hz");
     row("transform_tolerance", o.transform_tolerance, 0.0, 10.0, "s");
     row("publish_clock", o.publish_clock);

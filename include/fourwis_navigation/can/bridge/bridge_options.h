@@ -5,11 +5,15 @@
 #include <cstdint>
 #include <string>
 
+#include "fourwis_navigation/model/option_range.h"
 #include "fourwis_navigation/model/option_text.h"
 #include "fourwis_navigation/model/robot.h"
 
 namespace fourwis::can
 {
+
+/// What a wheel's radius may be.
+inline constexpr OptionRange kWheelRadii{0.01, 2.0, "m"};
 
 /// What the base speaks.
 enum class Protocol
@@ -177,7 +181,7 @@ private:
       row(steering + "offset", o.steering[i].offset, -10.0, 10.0, "rad");
     }
     for (std::size_t i = 0; i < kWheels; ++i) row.group(std::string("driving/") + kWheelNames[i] + '/', o.driving[i]);
-    row("wheel_radius", o.wheel_radius, 0.01, 2.0, "m");
+    row("wheel_radius", o.wheel_radius, kWheelRadii.least, kWheelRadii.greatest, kWheelRadii.unit);
     row("steering_mode", o.steering_mode, OneOf{"cyclic", "profile"});
     row("driving_mode", o.driving_mode, OneOf{"cyclic", "profile"});
     row("vendor_id", o.vendor_id, 0, 4294967295.0);
