@@ -57,6 +57,12 @@ class Examples(unittest.TestCase):
         self.assertEqual(set(re.findall(r'^add_library\(fourwis::(\w+) ', targets, re.MULTILINE)),
                          {stage.replace('/', '_') for stage in stages} - {'ros'})
 
+    def test_the_targets_hold_no_path_of_this_machine(self):
+        targets = next(self.prefix.rglob('fourwis_navigationTargets.cmake')).read_text()
+        linked = re.findall(r'INTERFACE_LINK_LIBRARIES "(.*)"', targets)
+        self.assertTrue(any('octomap' in libraries for libraries in linked))
+        self.assertEqual([path for libraries in linked for path in libraries.split(';') if '/' in path], [])
+
     def test_the_licence_is_installed(self):
         licence = self.prefix / 'share' / 'fourwis_navigation' / 'LICENSE'
         self.assertEqual(licence.read_text(), (ROOT / 'LICENSE').read_text())
