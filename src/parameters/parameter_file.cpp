@@ -116,6 +116,7 @@ Options from_file(const std::string& path, Options (*convert)(const ParameterMap
   try
   {
     Options options = convert(parameters);
+    check_configuration(options);  // what its keys say of each other
     const std::string taken = defaults_taken<Options>(parameters);
     if (defaults && !taken.empty()) *defaults = path + ": " + taken;
     return options;

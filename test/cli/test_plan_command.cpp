@@ -321,10 +321,11 @@ TEST_F(PlanCommand, ThePapersFormulationNeedsIpoptAndIsRefusedByTheReferee)
   EXPECT_EQ(alone.status, 2);
   if (!has_ipopt())
   {
-    expect_one_line(alone.err, {"'formulation' is 'paper'", "built without Ipopt"});
+    expect_one_line(alone.err, {"paper.yaml: ", "'formulation' is 'paper'", "built without Ipopt"});
     return;
   }
-  expect_one_line(alone.err, {"'solver' is 'structured'", "expected 'ipopt'"});
+  expect_one_line(alone.err,
+                  {"paper.yaml: ", "'solver' is 'structured'", "expected 'ipopt' where 'formulation' is 'paper'"});
 
   std::string text = content_of(path("paper.yaml"));
   text.replace(text.find("solver: structured"), 18, "solver: ipopt");
