@@ -79,7 +79,7 @@ class Drive:
 
 
 class Tour:
-    """Hears what planner, controller and base say of one drive after the other."""
+    """Collects what planner, controller and base report of one drive after the other."""
 
     def __init__(self):
         self.drive = None

@@ -34,7 +34,7 @@ class LaunchFiles(unittest.TestCase):
         for name, params in self.both.items():
             self.assertEqual(params['/move_base/start_from'].value, 'tf', name)
 
-    def test_nobody_inherits_the_time_of_the_launch_before(self):
+    def test_no_launch_inherits_the_time_of_the_one_before(self):
         simulated = {name: params['/use_sim_time'].value for name, params in self.both.items()
                      if '/use_sim_time' in params}
         self.assertEqual(simulated, {'replay.launch': True, 'robot.launch': False, 'simulation.launch': True})

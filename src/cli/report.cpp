@@ -15,7 +15,7 @@ namespace
 
 using nlohmann::json;
 
-/// The members of a JSON object in the order in which a reader wants them; json itself would sort them.
+/// The members of a JSON object in the order in which they are written; json itself would sort them.
 using Members = std::vector<std::pair<const char*, json>>;
 
 std::string text_of(const char* key, const json& value)

@@ -69,7 +69,7 @@ void Communication::enter(NmtState state)
 {
   if (state == state_) return;
   state_ = state;
-  receive_pdos_.forget();
+  receive_pdos_.reset();
   transmit_pdos_.start();
 }
 

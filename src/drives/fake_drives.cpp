@@ -101,7 +101,7 @@ private:
     for (DriveAxis& axis : axes_)
     {
       if (const auto reply = line_.abort_reply(axis.node(), frame)) port_.send(*reply);
-      if (line_.hears(axis.node(), frame)) axis.drive().receive(time(), frame);
+      if (line_.receives(axis.node(), frame)) axis.drive().receive(time(), frame);
     }
   }
 

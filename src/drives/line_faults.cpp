@@ -21,11 +21,11 @@ bool is_process_data(const can::Frame& frame)
 
 }  // namespace
 
-bool LineFaults::hears(int node, const can::Frame& frame) const
+bool LineFaults::receives(int node, const can::Frame& frame) const
 {
   if (has(DriveFaultKind::node_silent, node)) return false;
-  const bool deaf = has(DriveFaultKind::sdo_abort, node) || has(DriveFaultKind::sdo_silent, node);
-  return !(deaf && is(frame, cob::kSdoRequest, node));
+  const bool drops_requests = has(DriveFaultKind::sdo_abort, node) || has(DriveFaultKind::sdo_silent, node);
+  return !(drops_requests && is(frame, cob::kSdoRequest, node));
 }
 
 std::optional<can::Frame> LineFaults::abort_reply(int node, const can::Frame& frame) const

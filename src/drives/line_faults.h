@@ -16,7 +16,7 @@ public:
   explicit LineFaults(const FaultSchedule& faults) : faults_(faults) {}
 
   /// Whether the node receives a frame of the bus.
-  bool hears(int node, const can::Frame& frame) const;
+  bool receives(int node, const can::Frame& frame) const;
   /// The answer in place of a node that refuses every request.
   std::optional<can::Frame> abort_reply(int node, const can::Frame& frame) const;
   /// The frame that reaches the bus when the node sends one; nothing if it is lost.

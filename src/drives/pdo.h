@@ -27,7 +27,7 @@ public:
 
   /// Writes the data that came since the last SYNC.
   void sync();
-  void forget() { waiting_ = {}; }
+  void reset() { waiting_ = {}; }
 
 private:
   void apply(int pdo, const can::Frame& frame);

@@ -131,7 +131,7 @@ void check(const BaseSimulatorNodeOptions& options)
   const bool has_bus = options.bus != kDirect;
   if (options.real_time_factor == 1.0 || (!has_bus && options.publish_clock)) return;
   reject_option("real_time_factor", to_text(options.real_time_factor),
-                has_bus ? "1 where 'bus' is '" + options.bus + "': its drives live in real time"
+                has_bus ? "1 where 'bus' is '" + options.bus + "': its drives run in real time"
                         : "1 where 'publish_clock' is false: time is not the simulator's");
 }
 

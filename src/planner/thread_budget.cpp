@@ -65,7 +65,7 @@ ThreadBudget::Helpers ThreadBudget::run(Loop& loop)
   Helpers helpers;
   for (std::size_t i = loop.next++; i < loop.count; i = loop.next++)
   {
-    if (loop.next < loop.count) recruit(loop, helpers);
+    if (loop.next < loop.count) add_helper(loop, helpers);
     try
     {
       loop.work(i);
@@ -79,7 +79,7 @@ ThreadBudget::Helpers ThreadBudget::run(Loop& loop)
 }
 
 /// One more thread for what is left of the loop, if there is one.
-void ThreadBudget::recruit(Loop& loop, Helpers& helpers)
+void ThreadBudget::add_helper(Loop& loop, Helpers& helpers)
 {
   if (!take_spare()) return;
   try

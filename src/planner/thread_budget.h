@@ -35,7 +35,7 @@ private:
   using Helpers = std::vector<std::future<void>>;
 
   Helpers run(Loop& loop);
-  void recruit(Loop& loop, Helpers& helpers);
+  void add_helper(Loop& loop, Helpers& helpers);
   bool take_spare();
   void take();
   void give_back();

@@ -21,7 +21,7 @@ namespace fourwis
 {
 
 /// The bridge's node: `wheel_commands`, `emergency_stop` and the services `~enable`, `~disable`, `~clear_faults` to the
-/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Both topics that it hears
+/// drives; what the wheels do to `wheel_states`, `odom`, `joint_states` and `/diagnostics`. Both topics that it subscribes to
 /// have a thread of their own; spin the rest with two: services wait for the drives.
 class CanBridge
 {

@@ -19,7 +19,7 @@ namespace
 
 using fourwis_navigation::Tracking;
 
-/// The eye wants no more of prediction and marker [s].
+/// Between two messages of prediction and marker, which only rviz shows [s].
 constexpr double kPicturePeriod = 0.1;
 
 }  // namespace
@@ -79,7 +79,7 @@ void ControllerTopics::publish_refusal(const ros::Time& trajectory, const std::s
   publish_tracking(Tracking::REFUSED, trajectory, message);
 }
 
-void ControllerTopics::publish_ignorance(const std::string& message)
+void ControllerTopics::publish_without_measurement(const std::string& message)
 {
   publish_tracking(Tracking::STOPPING, {}, message);
 }

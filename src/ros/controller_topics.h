@@ -33,7 +33,7 @@ public:
   void publish_refusal(const ros::Time& trajectory, const std::string& message);
 
   /// On `~tracking`: it is not known yet whether the robot rests.
-  void publish_ignorance(const std::string& message);
+  void publish_without_measurement(const std::string& message);
 
 private:
   void publish_tracking(std::uint8_t state, const ros::Time& trajectory, const std::string& message);

@@ -30,8 +30,8 @@ struct DriveReport
   std::string message;  ///< of `failed` and `lost`: why
 };
 
-/// Makes one story of the controller's reports. What has ended stays so until something else is sent. The stamps it answers
-/// with are those of the reports; `now` only tells what does not come. Safe to use from several threads at once.
+/// Reduces the controller's reports to the phase of the drive. What has ended stays so until something else is sent. The
+/// stamps in its answers are those of the reports; `now` only tells what does not come. Safe to use from several threads at once.
 class DriveMonitor
 {
 public:

@@ -43,7 +43,7 @@ struct GoalOutcome
 class Execution
 {
 public:
-  /// All must outlive this. `monitor` hears the controller.
+  /// All must outlive this. `monitor` is given what the controller reports.
   Execution(const GlobalPlannerOptions& options, const PoseSource& poses, const MapStore& maps,
             const MapPlanner& planner, DriveMonitor& monitor, PlannerTopics& topics);
 

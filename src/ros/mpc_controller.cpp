@@ -65,7 +65,8 @@ void MpcController::on_pair(const nav_msgs::OdometryConstPtr& odometry,
 
 void MpcController::watch(const ros::Time& now)
 {
-  if (!loop_.has_measured()) return topics_.publish_ignorance("no odom and wheel_states of one stamp came yet");
+  if (!loop_.has_measured())
+    return topics_.publish_without_measurement("no odom and wheel_states of one stamp came yet");
   publish(loop_.watch(now));
 }
 

@@ -22,7 +22,7 @@ const BaseSimulatorParameters& in_real_time(const BaseSimulatorParameters& param
 {
   if (ros::Time::isSimTime())
     throw ConfigError("parameter '/use_sim_time' is true, expected false where 'bus' is '" + parameters.node.bus +
-                      "': its drives live in real time");
+                      "': its drives run in real time");
   return parameters;
 }
 
@@ -39,7 +39,7 @@ SimulatedDrives::SimulatedDrives(const BaseSimulatorParameters& parameters)
   odometry_ = node_.subscribe<nav_msgs::Odometry>(
       "odom", 10, [this](const nav_msgs::OdometryConstPtr& message) { on_odometry(*message); }, nullptr,
       ros::TransportHints().tcpNoDelay());
-  life_ = node_.createWallTimer(kStep, [this](const ros::WallTimerEvent&) { live(); });
+  step_timer_ = node_.createWallTimer(kStep, [this](const ros::WallTimerEvent&) { step(); });
   publication_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters.node.publish_frequency),
                                        [this](const ros::WallTimerEvent&) { publish(); });
 }
@@ -49,7 +49,7 @@ void SimulatedDrives::place(const Pose& pose)
   base_.drives().place(base_link_.to_centre(pose));
 }
 
-void SimulatedDrives::live()
+void SimulatedDrives::step()
 {
   base_.advance(ros::SteadyTime::now().toSec());
 }

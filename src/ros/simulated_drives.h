@@ -25,7 +25,7 @@ public:
 
 private:
   void place(const Pose& pose);  ///< of base_link
-  void live();
+  void step();
   void publish();
   void on_odometry(const nav_msgs::Odometry& odometry);
   Pose truth_at(const ros::Time& stamp);
@@ -39,7 +39,7 @@ private:
   FaultServices faults_;
   ros::NodeHandle node_;
   ros::Subscriber odometry_;
-  ros::WallTimer life_, publication_;
+  ros::WallTimer step_timer_, publication_;
 };
 
 }  // namespace fourwis

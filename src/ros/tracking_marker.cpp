@@ -41,8 +41,8 @@ Marker tracking_marker(const Tracking& tracking, const std::string& robot_base_f
   marker.pose.position.z = 1.0;
   marker.pose.orientation.w = 1.0;
   marker.scale.z = 0.2;
-  const bool troubled = !tracking.message.empty();
-  marker.color.r = troubled ? 0.85f : 0.1f;
+  const bool has_message = !tracking.message.empty();
+  marker.color.r = has_message ? 0.85f : 0.1f;
   marker.color.g = marker.color.b = 0.1f;
   marker.color.a = 1.0f;
   marker.text = text.str();

@@ -86,7 +86,7 @@ void BaseSimulator::take_commands()
     {
       taken_ = pending_.front().command;
       taken_at_ = steps_;
-      interlock_.want(taken_.mode, taken_.motion.angle);
+      interlock_.command(taken_.mode, taken_.motion.angle);
     }
     pending_.pop_front();
   }

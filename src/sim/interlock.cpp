@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-9;
 
 Interlock::Interlock(const InterlockOptions& options) : options_(checked(options)) {}
 
-void Interlock::want(Mode mode, const PerWheel& angle)
+void Interlock::command(Mode mode, const PerWheel& angle)
 {
   if (stage_ == Stage::failed) return;
   if (mode != mode_ || greatest_gap(angle, angle_) > options_.largest_jump)

@@ -39,7 +39,7 @@ double duration(const Trajectory& trajectory)
   return trajectory.empty() ? kUnknown : trajectory.back().t;
 }
 
-std::string opinion(const Verdict& verdict)
+std::string verb_of(const Verdict& verdict)
 {
   return verdict.accepted() ? "accepts" : "refuses";
 }
@@ -75,10 +75,10 @@ public:
                scientific(paper_.infeasibility),
                fixed(duration(paper_.trajectory), 3),
                fixed(median(paper_ms_), 1),
-               opinion(judge(paper_.trajectory)),
+               verb_of(judge(paper_.trajectory)),
                fixed(duration(ours_.trajectory), 3),
                fixed(median(ours_ms_), 1),
-               opinion(judge(ours_.trajectory)),
+               verb_of(judge(ours_.trajectory)),
                fixed(whole_.result.metrics.arrival_time, 3),
                fixed(median(whole_.cpu_ms), 1)};
     cells.insert(cells.begin(), environment_.id);
@@ -87,7 +87,7 @@ public:
   }
 
   /// Why the referee refuses the trajectory of the paper's back end; empty if it does not.
-  std::string objection() const
+  std::string violation_found() const
   {
     if (found_.status != PlanStatus::succeeded) return "";
     const Verdict verdict = judge(paper_.trajectory);
@@ -123,17 +123,18 @@ void report_paper_comparison(const Report& report, const Setup& setup, const std
                "paper CT ms"});
   Setup ackermann = setup;
   ackermann.modes = {Mode::ackermann};
-  std::vector<std::string> objections;
+  std::vector<std::string> violations_found;
   MapCache maps;
   for (const Problem& environment : environments)
   {
     const Comparison comparison(ackermann, environment, maps.grid(environment.map));
     table.add(comparison.row());
-    if (!comparison.objection().empty()) objections.push_back(comparison.objection());
+    if (!comparison.violation_found().empty()) violations_found.push_back(comparison.violation_found());
   }
   report.title("The paper's back end and the default one, in Ackermann motion");
   report.table(table);
-  for (const std::string& objection : objections) report.line("The referee on the paper's back end, " + objection);
+  for (const std::string& violation_found : violations_found)
+    report.line("The referee on the paper's back end, " + violation_found);
 }
 
 }  // namespace fourwis::benchmark

@@ -15,7 +15,8 @@ TEST(Network, SaysHelloOnceBooted)
   DriveBench bench;
   bench.pass(0.098);
   EXPECT_EQ(bench.sent, Frames());
-  EXPECT_EQ(bench.send(raw(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0})), Frames()) << "deaf while it boots";
+  EXPECT_EQ(bench.send(raw(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0})), Frames())
+      << "nothing is received while it boots";
   bench.pass(0.002);
   EXPECT_EQ(bench.sent, Frames{raw(0x705, {0x00})});
   EXPECT_EQ(bench.drive.nmt_state(), NmtState::pre_operational);

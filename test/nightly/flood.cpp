@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int kProblemsOfAPlace = 5;
-constexpr int kReport = 50;  ///< problems from one sign of life to the next
+constexpr int kReport = 50;  ///< problems from one line of progress to the next
 
 struct Arguments
 {

@@ -10,7 +10,7 @@ namespace
 constexpr unsigned kSeed = 32;
 
 /// Functions of everything a model may depend on, different in each stage.
-struct Peculiar : ocp::ModelBase<2, 1, 3>
+struct NonlinearModel : ocp::ModelBase<2, 1, 3>
 {
   template <typename Index>
   static double number(Index index)
@@ -82,8 +82,8 @@ TEST(IpoptDerivatives, OfAnyOptimalControlProblemMeetDifferences)
     for (double weight : {5.0, ocp::kInfinity, 7.0}) problem.add_row(k, {1.0, weight});
   const ocp::Trajectory<2, 1> guess{std::vector<ocp::Vector<2>>(4, ocp::Vector<2>::Zero()),
                                     std::vector<ocp::Vector<1>>(3, ocp::Vector<1>::Zero())};
-  const Peculiar model;
-  const OcpNlp<Peculiar> program(model, problem, guess);
+  const NonlinearModel model;
+  const OcpNlp<NonlinearModel> program(model, problem, guess);
   ASSERT_EQ(program.nlp().elements.size(), 3u + 1u + 3u);
   ASSERT_EQ(program.nlp().start.size(), 4u * 2u + 3u + 6u);
   expect_exact_derivatives(program.nlp(), 1000, -1);

@@ -127,10 +127,10 @@ TEST(DriveParameters, what_is_unknown_or_out_of_range_is_refused_by_name)
   EXPECT_TRUE(says(of_simulator("real_time_factor", 0.0), "expected a number from 0.01 to 1000"));
   EXPECT_TRUE(says(of_simulator("publish_clock", 1.0), "true or false"));
 
-  ParameterMap somebody_elses_time = simulator();
-  somebody_elses_time["publish_clock"] = false;
-  EXPECT_EQ(base_simulator_parameters_from(somebody_elses_time).node.publish_clock, false);
-  EXPECT_TRUE(says(error_with(somebody_elses_time, base_simulator_parameters_from, "real_time_factor", 5.0),
+  ParameterMap with_another_clock = simulator();
+  with_another_clock["publish_clock"] = false;
+  EXPECT_EQ(base_simulator_parameters_from(with_another_clock).node.publish_clock, false);
+  EXPECT_TRUE(says(error_with(with_another_clock, base_simulator_parameters_from, "real_time_factor", 5.0),
                    "'real_time_factor' is 5, expected 1 where 'publish_clock' is false"));
 }
 

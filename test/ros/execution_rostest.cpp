@@ -72,8 +72,8 @@ protected:
     return kinds;
   }
 
-  /// The names of what was said about the goal, in order.
-  std::string story(const Pose& goal) const
+  /// The statuses of the goal, in order.
+  std::string statuses_of(const Pose& goal) const
   {
     std::string names;
     for (const auto& status : statuses_.messages())
@@ -128,7 +128,7 @@ TEST_F(Execution, a_goal_is_reached_when_the_controller_says_so)
   expect_end("SUCCEEDED", "arrived in ");
   EXPECT_LT(distance(controller->pose(), kEast), 1e-3);
   ASSERT_TRUE(wait_for_status("arrived", kEast));
-  EXPECT_EQ(story(kEast), "planning succeeded driving arrived");
+  EXPECT_EQ(statuses_of(kEast), "planning succeeded driving arrived");
   EXPECT_EQ(sent(), "T");
 }
 
@@ -217,8 +217,8 @@ TEST_F(Execution, what_services_answer_is_no_part_of_what_is_said_about_the_driv
   controller->release();
   expect_end("SUCCEEDED");
   ASSERT_TRUE(wait_for_status("arrived", kEast));
-  EXPECT_EQ(story(kEast), "planning succeeded driving arrived");
-  EXPECT_EQ(story(into_the_wall), "");
+  EXPECT_EQ(statuses_of(kEast), "planning succeeded driving arrived");
+  EXPECT_EQ(statuses_of(into_the_wall), "");
 }
 
 TEST_F(Execution, cancel_stops_the_robot_at_once)
@@ -249,7 +249,7 @@ TEST_F(Execution, what_the_controller_gives_up_is_planned_anew_and_in_the_end_fa
   send_action(kEast);
   expect_end("ABORTED", "off the path by 0.3 m");
   ASSERT_TRUE(wait_for_status("drive_failed", kEast));
-  EXPECT_EQ(story(kEast), "planning succeeded driving planning succeeded driving drive_failed");
+  EXPECT_EQ(statuses_of(kEast), "planning succeeded driving planning succeeded driving drive_failed");
   ASSERT_TRUE(wait_for_stop());
   ASSERT_EQ(sent(), "TTS");  // replan_attempts is 1
   const auto messages = trajectories_.messages();
@@ -262,7 +262,7 @@ TEST_F(Execution, where_the_base_does_not_let_itself_be_driven_the_goal_fails_at
   send_action(kEast);
   expect_end("ABORTED", "off the path by 0.3 m");
   ASSERT_TRUE(wait_for_status("drive_failed", kEast));
-  EXPECT_EQ(story(kEast), "planning succeeded driving drive_failed");
+  EXPECT_EQ(statuses_of(kEast), "planning succeeded driving drive_failed");
 }
 
 TEST_F(Execution, a_base_that_was_disabled_while_the_robot_stopped_drives_to_a_new_goal_only)
@@ -366,7 +366,7 @@ TEST_F(Execution, a_robot_that_does_not_come_to_rest_is_not_planned_for)
   send_action(kNorth);
   expect_end("ABORTED", "the controller has not come to rest for 20 s");
   EXPECT_TRUE(wait_for_status("drive_failed", kNorth));
-  EXPECT_EQ(story(kNorth), "stopping drive_failed");
+  EXPECT_EQ(statuses_of(kNorth), "stopping drive_failed");
 }
 
 }  // namespace

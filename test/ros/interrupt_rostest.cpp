@@ -47,8 +47,8 @@ protected:
     return planning;
   }
 
-  /// The names of what was said about these goals, in order.
-  std::vector<std::string> story(const std::vector<Pose>& goals)
+  /// The statuses of these goals, in order.
+  std::vector<std::string> statuses_of(const std::vector<Pose>& goals)
   {
     std::vector<std::string> names;
     for (const auto& status : statuses_.messages())
@@ -67,7 +67,7 @@ TEST_F(Interrupt, a_new_goal_interrupts_the_plan_that_runs)
   begin_long_plan();
   send_goal(kEasy);
   ASSERT_TRUE(wait_for_status("succeeded", kEasy));
-  EXPECT_EQ(story({kSlot, kEasy}),
+  EXPECT_EQ(statuses_of({kSlot, kEasy}),
             (std::vector<std::string>{"planning 0", "cancelled 0", "planning 1", "succeeded 1"}));
 }
 

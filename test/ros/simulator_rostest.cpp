@@ -14,7 +14,7 @@ namespace
 using fourwis_navigation::TrajectoryPoint;
 using fourwis_navigation::WheelCommands;
 
-/// The base hears commands of the test's own.
+/// The base receives commands of the test's own.
 class Simulator : public DriveFixture
 {
 protected:

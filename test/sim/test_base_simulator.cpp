@@ -168,7 +168,7 @@ TEST(BaseSimulator, StopsOnItsArcAndHoldsTheAngles)
   EXPECT_NEAR(robot.base.pose().theta, expected.theta, 0.003);
 }
 
-TEST(BaseSimulator, StopsWhenNobodyCommandsAndWaitsForANewCommandAtRest)
+TEST(BaseSimulator, StopsWithoutCommandsAndWaitsForANewCommandAtRest)
 {
   SimulatedDrive robot({}, ideal());
   ASSERT_TRUE(robot.align(Mode::parallel, 0.2));

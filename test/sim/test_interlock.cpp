@@ -45,7 +45,7 @@ TEST_F(InterlockOfWheels, LocksUntilAModeIsWanted)
 TEST_F(InterlockOfWheels, WaitsForATenthOfASecondOfStandstill)
 {
   pass(1.0, 0.0, 0.3);
-  interlock.want(Mode::lateral, all(1.5));
+  interlock.command(Mode::lateral, all(1.5));
   pass(1.0, 0.0, 0.3);
   EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
   pass(0.09, 0.0, 0.004);
@@ -62,7 +62,7 @@ TEST_F(InterlockOfWheels, WaitsForATenthOfASecondOfStandstill)
 TEST_F(InterlockOfWheels, WaitsUntilTheyHaveBeenNearTheirAnglesFor50Milliseconds)
 {
   pass(0.2, 0.0, 0.0);
-  interlock.want(Mode::lateral, all(90.0 * kDegree));
+  interlock.command(Mode::lateral, all(90.0 * kDegree));
   pass(0.3, 45.0 * kDegree, 0.0);
   pass(0.049, 88.1 * kDegree, 0.0);
   EXPECT_FALSE(interlock.aligned());
@@ -77,11 +77,11 @@ TEST_F(InterlockOfWheels, WaitsUntilTheyHaveBeenNearTheirAnglesFor50Milliseconds
 TEST_F(InterlockOfWheels, NeedsEveryWheel)
 {
   pass(0.2, 0.0, 0.0);
-  interlock.want(Mode::ackermann, all(0.0));
+  interlock.command(Mode::ackermann, all(0.0));
   for (int k = 0; k < 500; ++k) interlock.step(kStep, {{0.0, 0.0, 3.0 * kDegree, 0.0}, {}});
   EXPECT_FALSE(interlock.aligned());
   Interlock moving{{}};
-  moving.want(Mode::ackermann, all(0.0));
+  moving.command(Mode::ackermann, all(0.0));
   for (int k = 0; k < 500; ++k) moving.step(kStep, {{}, {0.0, 0.0, 0.0, -0.01}});
   EXPECT_EQ(moving.stage(), Stage::coming_to_rest);
 }
@@ -89,10 +89,10 @@ TEST_F(InterlockOfWheels, NeedsEveryWheel)
 TEST_F(InterlockOfWheels, StaysReleasedWithinAMode)
 {
   pass(0.2, 0.0, 0.0);
-  interlock.want(Mode::parallel, all(0.0));
+  interlock.command(Mode::parallel, all(0.0));
   pass(0.1, 0.0, 0.0);
   ASSERT_TRUE(interlock.may_drive());
-  interlock.want(Mode::parallel, all(0.3));
+  interlock.command(Mode::parallel, all(0.3));
   EXPECT_TRUE(interlock.may_drive());
   EXPECT_FALSE(interlock.aligned()) << "with an angle far from the wheels no wheel is near it any more";
   pass(0.1, 0.3, 1.0);
@@ -102,12 +102,12 @@ TEST_F(InterlockOfWheels, StaysReleasedWithinAMode)
 TEST_F(InterlockOfWheels, TreatsAJumpOfAnAngleAsAnotherMode)
 {
   pass(0.2, 0.0, 0.0);
-  interlock.want(Mode::parallel, all(0.0));
+  interlock.command(Mode::parallel, all(0.0));
   pass(0.1, 0.0, 0.0);
   pass(0.1, 0.0, 1.0);
-  interlock.want(Mode::parallel, all(19.0 * kDegree));
+  interlock.command(Mode::parallel, all(19.0 * kDegree));
   EXPECT_TRUE(interlock.may_drive());
-  interlock.want(Mode::parallel, {19.0 * kDegree, 19.0 * kDegree, 40.0 * kDegree, 19.0 * kDegree});
+  interlock.command(Mode::parallel, {19.0 * kDegree, 19.0 * kDegree, 40.0 * kDegree, 19.0 * kDegree});
   EXPECT_EQ(interlock.stage(), Stage::coming_to_rest);
 }
 
@@ -117,47 +117,47 @@ TEST_F(InterlockOfWheels, LocksWithTheNextModeAndWithNone)
   {
     interlock.reset();
     pass(0.2, 0.0, 0.0);
-    interlock.want(Mode::ackermann, all(0.0));
+    interlock.command(Mode::ackermann, all(0.0));
     pass(0.1, 0.0, 0.0);
     ASSERT_TRUE(interlock.may_drive());
     pass(0.1, 0.0, 1.0);
-    interlock.want(next, all(0.0));
+    interlock.command(next, all(0.0));
     EXPECT_FALSE(interlock.may_turn());
     EXPECT_FALSE(interlock.may_drive());
     EXPECT_EQ(interlock.stage(), next == Mode::none ? Stage::locked : Stage::coming_to_rest);
   }
-  interlock.want(Mode::ackermann, all(0.0));
+  interlock.command(Mode::ackermann, all(0.0));
   EXPECT_EQ(interlock.stage(), Stage::coming_to_rest) << "after none the mode before is a new one";
 }
 
 TEST_F(InterlockOfWheels, FailsWhenTheyDoNotAlignAndSaysSoUntilReset)
 {
   pass(0.2, 0.0, 0.0);
-  interlock.want(Mode::lateral, all(1.5));
+  interlock.command(Mode::lateral, all(1.5));
   pass(2.99, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::aligning);
   pass(0.02, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::failed);
-  interlock.want(Mode::ackermann, all(0.0));
+  interlock.command(Mode::ackermann, all(0.0));
   pass(1.0, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::failed);
   EXPECT_FALSE(interlock.may_turn());
   interlock.reset();
-  interlock.want(Mode::ackermann, all(0.0));
+  interlock.command(Mode::ackermann, all(0.0));
   pass(0.2, 0.0, 0.0);
   EXPECT_TRUE(interlock.may_drive());
 }
 
 TEST_F(InterlockOfWheels, FailsWhenTheyDoNotComeToRest)
 {
-  interlock.want(Mode::lateral, all(0.0));
+  interlock.command(Mode::lateral, all(0.0));
   pass(3.1, 0.0, 0.3);
   EXPECT_EQ(interlock.stage(), Stage::failed);
 }
 
 TEST_F(InterlockOfWheels, GivesThemTheTimeToAlignAfterThatToComeToRest)
 {
-  interlock.want(Mode::lateral, all(1.5));
+  interlock.command(Mode::lateral, all(1.5));
   pass(2.8, 0.0, 0.3);
   pass(2.8, 0.0, 0.0);
   EXPECT_EQ(interlock.stage(), Stage::aligning);

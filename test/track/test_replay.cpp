@@ -22,21 +22,21 @@ TEST(Replay, ControlStepsAreNumberedByTheClockWithRoomForJitter)
 }
 
 /// All inputs and answers of a tracker.
-struct Life
+struct Record
 {
   std::vector<TrackInput> inputs;
   std::vector<WheelCommand> commands;
 };
 
-void live(Tracker& tracker, IdealBase& base, int steps, Life& life)
+void drive(Tracker& tracker, IdealBase& base, int steps, Record& record)
 {
   for (int k = 0; k < steps; ++k)
   {
     TrackInput input{1000.0 + base.wheels().stamp, 1000.0 + base.wheels().stamp - 0.003, base.pose(), base.wheels()};
     input.wheels.stamp += 1000.0 - 0.001;
-    life.inputs.push_back(input);
-    life.commands.push_back(tracker.step(input).command);
-    base.step(life.commands.back(), kPeriod);
+    record.inputs.push_back(input);
+    record.commands.push_back(tracker.step(input).command);
+    base.step(record.commands.back(), kPeriod);
   }
 }
 
@@ -45,30 +45,30 @@ TEST(Replay, WhatATrackerAnswersDoesNotDependOnWhatItDidBefore)
   const Robot robot;
   IdealBase base(robot, {1.0, 2.0, 0.5});
   Tracker tracker(robot, ideal_options());
-  Life life;
+  Record record;
   ASSERT_EQ(tracker.accept(trajectory_of(robot, base.pose(), {{Mode::ackermann, 0.2, 1.3}})), "");
-  live(tracker, base, 237, life);
-  const std::size_t begin = life.inputs.size();
-  live(tracker, base, 3, life);
+  drive(tracker, base, 237, record);
+  const std::size_t begin = record.inputs.size();
+  drive(tracker, base, 3, record);
   const Trajectory second = trajectory_of(
       robot, base.pose(), {{Mode::lateral, 0.2, -1.5}, {Mode::ackermann, 0.1, 1.0}, {Mode::parallel, 0.7, 1.0}});
   ASSERT_EQ(tracker.accept(second), "");
-  live(tracker, base, 600, life);
+  drive(tracker, base, 600, record);
 
   Tracker other(robot, ideal_options());
-  for (std::size_t k = begin; k < life.inputs.size(); ++k)
+  for (std::size_t k = begin; k < record.inputs.size(); ++k)
   {
     if (k == begin + 3)
     {
       ASSERT_EQ(other.accept(second), "");
     }
-    const WheelCommand command = other.step(life.inputs[k]).command;
-    ASSERT_EQ(command.mode, life.commands[k].mode) << "step " << k;
-    ASSERT_EQ(command.sequence, life.commands[k].sequence) << "step " << k;
-    ASSERT_EQ(command.motion.angle, life.commands[k].motion.angle) << "step " << k;
-    ASSERT_EQ(command.motion.speed, life.commands[k].motion.speed) << "step " << k;
+    const WheelCommand command = other.step(record.inputs[k]).command;
+    ASSERT_EQ(command.mode, record.commands[k].mode) << "step " << k;
+    ASSERT_EQ(command.sequence, record.commands[k].sequence) << "step " << k;
+    ASSERT_EQ(command.motion.angle, record.commands[k].motion.angle) << "step " << k;
+    ASSERT_EQ(command.motion.speed, record.commands[k].motion.speed) << "step " << k;
   }
-  EXPECT_EQ(other.step(life.inputs.back()).state, TrackState::arrived);
+  EXPECT_EQ(other.step(record.inputs.back()).state, TrackState::arrived);
 }
 
 }  // namespace

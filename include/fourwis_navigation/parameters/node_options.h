@@ -117,7 +117,7 @@ struct MpcControllerOptions
   }
 };
 
-/// What a base calls its frames, and whether it is the one who publishes the transform between them.
+/// What a base calls its frames, and whether it publishes the transform between them.
 struct BaseFrames
 {
   std::string odom_frame = "odom";
@@ -161,7 +161,7 @@ struct BaseSimulatorNodeOptions
   BaseFrames frames;
   double publish_frequency = 100.0;  ///< cycles of simulated time each second; with a bus, of the true pose [Hz]
   double transform_tolerance = 0.1;  ///< how far ahead the ideal localisation dates its transform [s]
-  bool publish_clock = true;         ///< without a bus: whether its time is everybody's
+  bool publish_clock = true;         ///< without a bus: whether its time is that of all nodes
   double real_time_factor = 1.0;     ///< then: how much faster than real time
   double lockstep_period = 0.02;     ///< then: time waits for commands younger than this [s]; 0: never
   Pose initial;                      ///< where the robot is at first

@@ -28,7 +28,7 @@ public:
   explicit Interlock(const InterlockOptions& options);
 
   /// Sets the commanded mode and angles.
-  void want(Mode mode, const PerWheel& angle);
+  void command(Mode mode, const PerWheel& angle);
 
   /// Advances the time by `duration` [s], in which `measured` was measured.
   void step(double duration, const WheelMotion& measured);

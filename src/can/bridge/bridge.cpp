@@ -33,7 +33,7 @@ public:
   {
     link_.receive(frame, now);
     if (!frame.error) load_.add(worst_case_bits(frame));
-    if (!frame.error && is_talking()) protocol_->receive(frame, now, outbox_);
+    if (!frame.error && is_communicating()) protocol_->receive(frame, now, outbox_);
     react(now);
   }
 
@@ -91,7 +91,7 @@ public:
   {
     sent_between_cycles_ = false;
     link_.supervise(outbox_, now);
-    if (is_talking()) protocol_->supervise(now, outbox_);
+    if (is_communicating()) protocol_->supervise(now, outbox_);
     supervise_commands(now);
     react(now);
     advance(now);
@@ -122,7 +122,7 @@ public:
 
 private:
   /// Frames of drives that have not been started anew since the bus was lost have no meaning.
-  bool is_talking() const { return link_.usable() && state_ != BridgeState::waiting; }
+  bool is_communicating() const { return link_.usable() && state_ != BridgeState::waiting; }
 
   bool may_move() const
   {
@@ -138,14 +138,14 @@ private:
   void stop(StopProcedure::Kind kind, BridgeState state, double now)
   {
     stop_.begin(kind, now);
-    motion_.forget();
+    motion_.reset();
     enter(state, now);
   }
 
   void wait_for_link(double now)
   {
     stop_.cancel();
-    motion_.forget();
+    motion_.reset();
     outbox_.clear();
     enter(BridgeState::waiting, now);
   }
@@ -267,7 +267,7 @@ private:
 
   void transmit(double now)
   {
-    if (is_talking()) protocol_->command(demand(), now, outbox_);
+    if (is_communicating()) protocol_->command(demand(), now, outbox_);
   }
 
   void end_cycle(double now)
@@ -275,7 +275,7 @@ private:
     load_.add(outbox_.sent_bits() - counted_bits_);
     counted_bits_ = outbox_.sent_bits();
     load_.update(now);
-    if (is_talking())
+    if (is_communicating())
       protocol_->end_cycle(now, outbox_);
     else
       outbox_.clear();

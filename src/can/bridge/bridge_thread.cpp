@@ -102,14 +102,14 @@ private:
       const double left = next - monotonic_now();
       const double most = connection_.is_blocked() ? std::min(left, kRetryPeriod) : left;
       if (left > 0.0) wait_for(bus_->descriptor(), wake_.descriptor(), most);
-      obey();
+      take_requests();
       connection_.exchange(monotonic_now());
       if (monotonic_now() >= next) next = cycle(next);
     }
   }
 
   /// Carries out what other threads have requested since the last call.
-  void obey()
+  void take_requests()
   {
     wake_.clear();
     const double now = monotonic_now();

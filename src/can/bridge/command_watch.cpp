@@ -26,7 +26,7 @@ CommandWatch::Verdict CommandWatch::take(const WheelCommand& command, double mad
   return Verdict::taken;
 }
 
-void CommandWatch::forget()
+void CommandWatch::reset()
 {
   any_ = false;
   newest_.mode = Mode::none;

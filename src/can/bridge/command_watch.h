@@ -33,7 +33,7 @@ public:
   bool expired(double now) const { return any_ && now - made_ > timeout_; }
 
   /// From now on no command counts as given. The mode of newest() becomes none and its speeds 0, its angles stay.
-  void forget();
+  void reset();
 
 private:
   bool is_valid(const WheelCommand& command) const;

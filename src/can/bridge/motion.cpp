@@ -21,7 +21,7 @@ Motion::Motion(const Robot& robot, const BridgeOptions& options)
 
 void Motion::begin(double now)
 {
-  commands_.forget();
+  commands_.reset();
   interlock_.reset(now);
 }
 

@@ -17,7 +17,7 @@ public:
   void begin(double now);
 
   /// The last command is not followed any more.
-  void forget() { commands_.forget(); }
+  void reset() { commands_.reset(); }
 
   /// The set-point is the present position of the wheels, at rest.
   void hold(const WheelMotion& measured, double now);

@@ -20,7 +20,7 @@ public:
 
   SdoClient(int node, double timeout) : node_(node), timeout_(timeout) {}
 
-  /// `script` must live until the client is done or stopped.
+  /// `script` must exist until the client is done or stopped.
   void start(const SdoScript& script, double now, Outbox& outbox);
   void stop() { state_ = State::idle; }
 

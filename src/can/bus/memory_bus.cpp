@@ -80,7 +80,7 @@ void MemoryBus::deliver(const Frame& frame, const End* sender)
 }
 
 /// Breaks off the frame that `end` was sending.
-void MemoryBus::forget(const End& end)
+void MemoryBus::remove(const End& end)
 {
   if (sender_ == &end) transmit_next();
 }
@@ -96,7 +96,7 @@ MemoryBus::End::End(MemoryBus& bus)
 MemoryBus::End::~End()
 {
   bus_.ends_.erase(std::find(bus_.ends_.begin(), bus_.ends_.end(), this));
-  bus_.forget(*this);
+  bus_.remove(*this);
 }
 
 BusStatus MemoryBus::End::send(const Frame& frame)
@@ -154,14 +154,14 @@ void MemoryBus::End::set_link(Link link)
   broken_ = true;
   bus_off_ = false;
   to_send_.clear();
-  bus_.forget(*this);
+  bus_.remove(*this);
 }
 
 void MemoryBus::End::bus_off()
 {
   bus_off_ = true;
   to_send_.clear();
-  bus_.forget(*this);
+  bus_.remove(*this);
   inject(error_frame(CAN_ERR_BUSOFF));
 }
 

@@ -44,7 +44,7 @@ public:
 private:
   void transmit_next();
   void deliver(const Frame& frame, const End* sender);
-  void forget(const End& end);
+  void remove(const End& end);
 
   MemoryBusOptions options_;
   std::vector<End*> ends_;

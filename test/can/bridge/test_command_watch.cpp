@@ -32,7 +32,7 @@ TEST_F(Commands, ExpireAfterTheTimeoutAndOnlyIfThereWasOne)
   EXPECT_EQ(watch_.take(command(1), 10.0, 10.0), Verdict::taken);
   EXPECT_FALSE(watch_.expired(10.149));
   EXPECT_TRUE(watch_.expired(10.1501));
-  watch_.forget();
+  watch_.reset();
   EXPECT_FALSE(watch_.expired(1e9));
   EXPECT_EQ(watch_.newest().mode, Mode::none);
 }
@@ -81,7 +81,7 @@ TEST_F(Commands, AfterOneThatIsExpiredOrForgottenAnySequenceIsTaken)
 {
   EXPECT_EQ(watch_.take(command(5), 0.0, 0.0), Verdict::taken);
   EXPECT_EQ(watch_.take(command(4), 0.16, 0.16), Verdict::taken);
-  watch_.forget();
+  watch_.reset();
   EXPECT_EQ(watch_.take(command(4), 0.17, 0.17), Verdict::taken);
 }
 
@@ -98,7 +98,7 @@ TEST_F(Commands, NonsenseIsRefused)
       EXPECT_EQ(watch_.take(speed, 0.0, 0.0), Verdict::invalid);
       angle.mode = Mode::none;  // a command to stop is valid with any angles
       EXPECT_EQ(watch_.take(angle, 0.0, 0.0), Verdict::taken);
-      watch_.forget();
+      watch_.reset();
     }
   WheelCommand beyond = command(1);
   beyond.motion.angle[2] = Robot().wheel_max_angle + 0.01;

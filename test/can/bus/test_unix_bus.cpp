@@ -83,7 +83,7 @@ TEST_F(UnixBusTest, ReachesOtherProcesses)
 TEST_F(UnixBusTest, OutlivesAKilledProcessAndRemovesWhatItLeft)
 {
   const auto here = rig.open(), other = rig.open();
-  const pid_t victim = in_another_process([this] {
+  const pid_t process = in_another_process([this] {
     const auto there = rig.open();
     there->send({0x10, false, false, false, 0, {}});
     while (true) pause();
@@ -91,8 +91,8 @@ TEST_F(UnixBusTest, OutlivesAKilledProcessAndRemovesWhatItLeft)
   EXPECT_EQ(next_frame(*here).id, 0x10u);
   EXPECT_EQ(next_frame(*other).id, 0x10u);
   EXPECT_EQ(rig.files(), 3u);
-  kill(victim, SIGKILL);
-  waitpid(victim, nullptr, 0);
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
   expect_connected(*here, *other);
   EXPECT_EQ(rig.files(), 2u);
   const auto late = rig.open();
@@ -103,11 +103,11 @@ TEST_F(UnixBusTest, ANewEndRemovesWhatKilledOnesLeft)
 {
   for (int n = 0; n < 3; ++n)
   {
-    const pid_t victim = in_another_process([this] {
+    const pid_t process = in_another_process([this] {
       const auto there = rig.open();
       raise(SIGKILL);
     });
-    waitpid(victim, nullptr, 0);
+    waitpid(process, nullptr, 0);
   }
   const auto first = rig.open(), second = rig.open();
   EXPECT_EQ(rig.files(), 2u);
