@@ -28,6 +28,18 @@ BodyVelocity body_velocity(const Robot& robot, Mode mode, double v, double phi)
   }
 }
 
+/// Distance of the body's farthest corner from C [m].
+double farthest_corner(const Robot& robot)
+{
+  if (robot.footprint.empty())
+    return std::hypot(std::abs(robot.body_offset.x) + robot.length / 2.0,
+                      std::abs(robot.body_offset.y) + robot.width / 2.0);
+  double farthest = 0.0;
+  for (const Point2& corner : robot.footprint)
+    farthest = std::max(farthest, std::hypot(corner.x - robot.base_offset.x, corner.y - robot.base_offset.y));
+  return farthest;
+}
+
 /// The drive from one point of a trajectory to the next: v and phi change linearly in time.
 class Drive
 {
@@ -37,7 +49,7 @@ public:
       from_(from),
       to_(to)
   {
-    const double corner = std::hypot(robot.length, robot.width) / 2.0;
+    const double corner = farthest_corner(robot);
     double fastest = 0.0;
     for (const TrajectoryPoint* point : {&from, &to})
     {
@@ -106,13 +118,12 @@ private:
 
 }  // namespace
 
-std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, const ExactRectangle& body,
-                           double start_tolerance)
+std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot,
+                           const std::function<bool(const Pose&)>& is_forbidden)
 {
-  Overlap overlap(body, start_tolerance);
   for (std::size_t i = 0; i < trajectory.size(); ++i)
   {
-    if (overlap.is_forbidden(trajectory[i].pose())) return "collides at " + text(trajectory[i].pose());
+    if (is_forbidden(trajectory[i].pose())) return "collides at " + text(trajectory[i].pose());
     if (i + 1 == trajectory.size()) break;
     const TrajectoryPoint &from = trajectory[i], &to = trajectory[i + 1];
     Pose pose = from.pose();
@@ -122,13 +133,20 @@ std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, con
       for (int k = 1; k <= drive.samples(); ++k)
       {
         pose = drive.next(pose, k);
-        if (overlap.is_forbidden(pose)) return "collides at " + text(pose) + " after point " + std::to_string(i);
+        if (is_forbidden(pose)) return "collides at " + text(pose) + " after point " + std::to_string(i);
       }
     }
     if (!(distance(pose, to.pose()) <= kGap) || !(std::abs(pose.theta - to.theta) <= kHeadingGap))
       return "the drive from point " + std::to_string(i) + " ends at " + text(pose) + ", not at " + text(to.pose());
   }
   return {};
+}
+
+std::string fault_in_drive(const Trajectory& trajectory, const Robot& robot, const ExactRectangle& body,
+                           double start_tolerance)
+{
+  Overlap overlap(body, start_tolerance);
+  return fault_in_drive(trajectory, robot, [&](const Pose& pose) { return overlap.is_forbidden(pose); });
 }
 
 }  // namespace fourwis::nightly
