@@ -8,12 +8,14 @@ parts=(sanitize threads fuzz flood figures tidy core)
 usage()
 {
   cat <<'END'
-usage: nightly.sh [PART]...      all parts, or those given
+usage: nightly.sh [PART]... [quick]   all parts, or those given; quick: figures with a tenth of everything, in a few minutes
   sanitize  AddressSanitizer and UndefinedBehaviorSanitizer: the tests of all stages but ros, 300 random problems
   threads   ThreadSanitizer: planner, map store, buses, the bridge's thread
   fuzz      the fuzz loops of the tests with FOURWIS_FUZZ_FACTOR (20) times their rounds
   flood     1,000 random problems against a flood of the exact rectangle
-  figures   random problems of the default robot: how many are solved of those that a flood of the exact rectangle can do, CPU time
+  figures   what is asked of the planner beside what is measured: random problems against floods of the exact rectangle, random
+            robots, a car that parks, streets; CPU time. FOURWIS_SHARED: folder of third-party maps/ and problems/ (../shared);
+            FOURWIS_CASES: folder to write the cases that fail or are slow to
   tidy      lint.sh --all: tests as well, and with the static analyzer
   core      the build without ROS, and all its tests
 Ends with a line for each part: whether it passed, and how long it took. Exit status: 1 when a part failed.
@@ -84,18 +86,23 @@ part_flood()
   "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON nightly_flood && flood "$root/build" 900 25
 }
 
-# On random places, the project's maps, and those of third parties where they lie beside the project.
+# On maps of its own, and those of third parties where they lie beside the project.
 part_figures()
 {
-  local maps=("$root"/config/env?.yaml) beside=$root/../shared
-  [[ ! -d $beside ]] || maps+=("$beside"/maps/{bit_4wis,mppi_swerve}/*.yaml "$beside"/problems/generated/*.yaml)
+  local options=(--share "$share" --beside "${FOURWIS_SHARED:-$root/../shared}")
+  [[ -z ${FOURWIS_CASES:-} ]] || options+=(--cases "$FOURWIS_CASES")
   "$root/scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON nightly_figures &&
-    "$(program "$root/build" nightly_figures)" --verbose --problems 10 --random 150 "${maps[@]}"
+    "$(program "$root/build" nightly_figures)" "${options[@]}"
 }
 
 part_tidy() { "$root/scripts/lint.sh" --all; }
 part_core() { "$root/scripts/test_core.sh" --all; }
 
+share=1
+if [[ ${*: -1} == quick ]]; then
+  share=0.1
+  set -- "${@:1:$#-1}"
+fi
 [[ $# -gt 0 ]] || set -- "${parts[@]}"
 for part in "$@"; do
   [[ $part != *" "* && " ${parts[*]} " == *" $part "* ]] || { usage >&2; exit 2; }
