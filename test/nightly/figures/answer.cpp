@@ -15,7 +15,7 @@ namespace fourwis::nightly
 namespace
 {
 
-constexpr double kPatience = 60.0;                         ///< [s]
+constexpr double kPatience = 300.0;                        ///< [s]
 constexpr double kEndGap = 0.001, kEndHeadingGap = 0.001;  ///< of a trajectory's ends [m], [rad]
 
 double cpu_seconds()
@@ -57,7 +57,7 @@ std::string to_line(const Answer& answer)
 {
   std::ostringstream out;
   out << std::setprecision(17) << std::quoted(answer.status) << ' ' << std::quoted(answer.message) << ' ' << answer.cpu
-      << ' ' << answer.arrival << ' ' << answer.length << ' ' << answer.fallback_parts << ' '
+      << ' ' << answer.arrival << ' ' << answer.length << ' ' << answer.fallback_parts << ' ' << answer.degraded << ' '
       << std::quoted(answer.violation);
   return out.str();
 }
@@ -67,7 +67,7 @@ Answer from_line(const std::string& line)
   Answer answer;
   std::istringstream in(line);
   in >> std::quoted(answer.status) >> std::quoted(answer.message) >> answer.cpu >> answer.arrival >> answer.length >>
-      answer.fallback_parts >> std::quoted(answer.violation);
+      answer.fallback_parts >> answer.degraded >> std::quoted(answer.violation);
   return answer;
 }
 
@@ -91,6 +91,7 @@ Answer ask(const Question& question)
   answer.arrival = result.metrics.arrival_time;
   answer.length = result.metrics.length;
   answer.fallback_parts = result.fallback_parts;
+  answer.degraded = result.degraded;
   answer.violation = violation_in(question, result, options.obstacles);
   return answer;
 }

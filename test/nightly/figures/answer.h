@@ -29,6 +29,7 @@ struct Answer
   double arrival = 0.0;  ///< [s]
   double length = 0.0;   ///< [m]
   int fallback_parts = 0;
+  bool degraded = false;  ///< whether the deadline cut the work short
   std::string violation;  ///< what is wrong with the trajectory, seen by code of its own; empty where nothing is
 
   bool succeeded() const { return status == to_string(PlanStatus::succeeded); }

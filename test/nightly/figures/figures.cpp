@@ -2,11 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 
 namespace fourwis::nightly
 {
+
+namespace
+{
+
+volatile std::sig_atomic_t stop = 0;
+
+void on_signal(int)
+{
+  stop = 1;
+}
+
+}  // namespace
+
+void watch_signals()
+{
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
+bool Figures::stopped()
+{
+  return stop != 0;
+}
 
 int Figures::part_of(int count) const
 {
@@ -23,6 +47,7 @@ bool Figures::finds(const std::string& file) const
 void Wrongs::count(const Question& question, const Answer& answer, CaseBook& cases)
 {
   ++answers_;
+  degraded_ += answer.degraded ? 1 : 0;
   const bool crashed = answer.status == "crashed";
   const bool refused = answer.status == to_string(PlanStatus::verification_failed);
   crashes_ += crashed ? 1 : 0;
@@ -39,6 +64,7 @@ void Wrongs::add_row(const std::string& what, Rows& rows) const
            std::to_string(violations_) + "; " + std::to_string(refused_by_the_referee_) + "; " +
                std::to_string(crashes_) + " of " + std::to_string(answers_) + " answers",
            violations_ + refused_by_the_referee_ + crashes_ == 0, Rows::Weight::wrong);
+  if (degraded_ > 0) rows.note(what + ": cut short by the deadline", std::to_string(degraded_));
 }
 
 }  // namespace fourwis::nightly

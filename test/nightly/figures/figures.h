@@ -9,6 +9,9 @@
 namespace fourwis::nightly
 {
 
+/// Has Figures::stopped() know of SIGINT and SIGTERM. Children are stopped by them.
+void watch_signals();
+
 /// What all parts of the figures are given.
 struct Figures
 {
@@ -16,6 +19,9 @@ struct Figures
   std::string beside;  ///< folder of third-party maps and problems; empty where there is none
   Rows& rows;
   CaseBook& cases;
+
+  /// Whether the program was told to stop (SIGINT, SIGTERM): then what has been measured so far is all there is.
+  static bool stopped();
 
   /// So many of them, at least one.
   int part_of(int count) const;
@@ -34,7 +40,7 @@ public:
   void add_row(const std::string& what, Rows& rows) const;
 
 private:
-  int answers_ = 0, violations_ = 0, refused_by_the_referee_ = 0, crashes_ = 0;
+  int answers_ = 0, degraded_ = 0, violations_ = 0, refused_by_the_referee_ = 0, crashes_ = 0;
 };
 
 /// The rows of the table, part by part.

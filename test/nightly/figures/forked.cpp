@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -44,6 +45,8 @@ bool read_all(int file, void* data, std::size_t size)
 [[noreturn]] void live(int pipe, std::size_t first, std::size_t count,
                        const std::function<std::string(std::size_t)>& work)
 {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   try
   {
     for (std::size_t k = first; k < count; ++k)

@@ -59,18 +59,20 @@ int run(int argc, char** argv)
   for (const std::string& name : wanted)
     if (std::none_of(std::begin(kParts), std::end(kParts), [&](const Part& part) { return part.name == name; }))
       throw po::error("there is no part " + name);
+  watch_signals();
   Rows rows;
   CaseBook cases(given["cases"].as<std::string>());
   const double share = given["share"].as<double>();
   if (!(share > 0.0 && share <= 1.0)) throw po::error("--share must be in (0, 1]");
   const Figures figures{share, given["beside"].as<std::string>(), rows, cases};
   for (const Part& part : kParts)
-    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), part.name) != wanted.end())
+    if (!Figures::stopped() && (wanted.empty() || std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()))
     {
       std::cout << "=== " << part.name << std::endl;
       part.measure(figures);
       rows.print();  // after each part, as a run may be stopped
     }
+  if (Figures::stopped()) std::cout << "stopped: there is more to measure\n";
   return rows.all_right() ? 0 : 1;
 }
 

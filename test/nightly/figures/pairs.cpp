@@ -88,7 +88,9 @@ std::vector<NamedMap> all_maps(const Figures& figures)
       Random random(seed);
       maps.push_back({map_kinds()[kind].name + ("_seed_" + std::to_string(seed)), map_kinds()[kind].draw(random, 1.0)});
     }
-  for (NamedMap& map : third_party_maps(figures)) maps.push_back(std::move(map));
+  // After the first of each kind, as a run may be stopped.
+  std::vector<NamedMap> others = third_party_maps(figures);
+  maps.insert(maps.begin() + static_cast<std::ptrdiff_t>(map_kinds().size()), others.begin(), others.end());
   return maps;
 }
 
@@ -217,7 +219,7 @@ void random_pairs_of_the_default_robot(const Figures& figures)
   const int of_a_map = (figures.part_of(kPairs) + static_cast<int>(maps.size()) - 1) / static_cast<int>(maps.size());
   const Robot robot;
   PairFigures pairs_figures(figures);
-  for (std::size_t k = 0; k < maps.size(); ++k)
+  for (std::size_t k = 0; k < maps.size() && !Figures::stopped(); ++k)
   {
     Random random(1000 + static_cast<unsigned>(k));
     std::vector<Pair> pairs = random_pairs(maps[k].grid, robot, random, of_a_map);

@@ -18,7 +18,7 @@ void park(Drawing& drawing, const Pose& pose, double length = 4.5, double width 
 /// Between two cars at the kerb of a street, whose other side has cars as well.
 ParkingCase parallel(Random& random, bool leaving)
 {
-  const double lane = random.between(3.2, 4.5), kerb = 1.0, strip = 2.2, gap = random.between(6.0, 7.2);
+  const double lane = random.between(3.2, 4.5), kerb = 1.0, strip = 2.9, gap = random.between(6.4, 7.4);
   Drawing drawing(kStreet, kerb + strip + lane + strip + kerb, kCell);
   drawing.box(0.0, 0.0, kStreet, kerb);
   drawing.box(0.0, drawing.width() - kerb, kStreet, drawing.width());
@@ -27,7 +27,8 @@ ParkingCase parallel(Random& random, bool leaving)
   for (double side : {-1.0, 1.0}) park(drawing, {middle + side * (gap / 2.0 + 2.25), low, 0.0});
   park(drawing, {middle - gap / 2.0 - 8.0, low + 0.1, 0.03});
   for (double x = 4.0; x < kStreet - 2.0; x += random.between(5.5, 8.0)) park(drawing, {x, high, M_PI});
-  const Pose in_gap = {middle, kerb + 1.1, 0.0};
+  // With room to the wall behind the kerb: a car that steers both axles swings its rear out.
+  const Pose in_gap = {middle, low, 0.0};
   const Pose on_lane = {random.between(4.0, 8.0), kerb + strip + lane / 2.0, 0.0};
   return {"parallel", drawing.grid(), leaving ? in_gap : on_lane, leaving ? on_lane : in_gap};
 }

@@ -158,7 +158,7 @@ void random_robots(const Figures& figures)
   Comparison comparison;
   std::vector<double> times;
   const int robots = figures.part_of(kRobots);
-  for (int k = 0; k < robots; ++k)
+  for (int k = 0; k < robots && !Figures::stopped(); ++k)
   {
     Random random(static_cast<unsigned>(k) + 1);
     const Robot robot = random_robot(random);

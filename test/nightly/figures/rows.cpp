@@ -1,5 +1,6 @@
 #include "rows.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "../../benchmark/statistics.h"
@@ -14,20 +15,32 @@ using benchmark::quantile;
 void Rows::add(const std::string& what, const std::string& asked, const std::string& measured, bool holds,
                Weight weight)
 {
-  rows_.push_back({what, asked, measured, holds ? "holds" : weight == Weight::wrong ? "WRONG" : "falls short"});
+  rows_.push_back({holds ? "holds" : weight == Weight::wrong ? "WRONG" : "falls short", what, asked, measured});
   wrong_ += !holds && weight == Weight::wrong ? 1 : 0;
 }
 
 void Rows::note(const std::string& what, const std::string& measured)
 {
-  rows_.push_back({what, "", measured, ""});
+  rows_.push_back({"", what, "", measured});
 }
 
 void Rows::print() const
 {
-  benchmark::Table table({"what", "asked", "measured", ""});
-  for (const std::vector<std::string>& row : rows_) table.add(row);
-  table.print(std::cout, true);
+  // The last column is as long as it has to be, so that it is not filled up.
+  const std::vector<std::string> header = {"", "what", "asked", "measured"};
+  std::vector<std::size_t> widths(header.size() - 1, 0);
+  for (std::size_t column = 0; column < widths.size(); ++column)
+    for (const std::vector<std::string>& row : rows_)
+      widths[column] = std::max({widths[column], header[column].size(), row[column].size()});
+  const auto print_row = [&](const std::vector<std::string>& row, char filling) {
+    for (std::size_t column = 0; column < widths.size(); ++column)
+      std::cout << "| " << row[column] << std::string(widths[column] - row[column].size(), filling) << ' ';
+    std::cout << "| " << row.back() << " |\n";
+  };
+  print_row(header, ' ');
+  print_row({"", "", "", "---"}, '-');
+  for (const std::vector<std::string>& row : rows_) print_row(row, ' ');
+  std::cout.flush();
 }
 
 std::string share(int part, int whole)

@@ -62,7 +62,7 @@ void street_maps(const Figures& figures)
 {
   StreetFigures streets(figures);
   const int maps = figures.part_of(kMaps);
-  for (int k = 0; k < maps; ++k)
+  for (int k = 0; k < maps && !Figures::stopped(); ++k)
   {
     const double way = maps == 1 ? kShortest : kShortest * std::pow(kLongest / kShortest, k / (maps - 1.0));
     const CityDrive drive = city_drive(k + 1, way, k % 2 == 0 ? 0.25 : 0.5);
