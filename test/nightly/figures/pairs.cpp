@@ -117,6 +117,14 @@ std::string listed(const Counts& counts)
   return text.empty() ? "none" : text;
 }
 
+/// The longest arcs with which a pair can be done without turning in place.
+std::string arcs_of(const Pair& pair)
+{
+  for (std::size_t k = kShunts.size(); k-- > 0;)
+    if (pair.without_spin[k]) return " by arcs of " + std::to_string(kShunts[k]) + " degrees";
+  return " with spin only";
+}
+
 class PairFigures
 {
 public:
@@ -136,7 +144,7 @@ public:
         ++(pair.discs_can ? discs_can_ : tight_)[answer.status];
         if (!pair.discs_can) count_ceilings(pair);
         false_unreachable_ += unreachable ? 1 : 0;
-        if (!answer.succeeded()) why = unreachable ? "FALSE goal_unreachable" : "can, with margin";
+        if (!answer.succeeded()) why = (unreachable ? "FALSE goal_unreachable" : "can, with margin") + arcs_of(pair);
         break;
       case Verdict::bare_only:
         ++(pair.end_is_tight ? tight_end_ : bare_)[answer.status];
