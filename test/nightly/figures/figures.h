@@ -9,7 +9,7 @@
 namespace fourwis::nightly
 {
 
-/// Has Figures::stopped() know of SIGINT and SIGTERM. Children are stopped by them.
+/// Has Figures::stopped() know of SIGINT and SIGTERM. Children ignore them.
 void watch_signals();
 
 /// What all parts of the figures are given.

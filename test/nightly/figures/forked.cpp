@@ -45,8 +45,9 @@ bool read_all(int file, void* data, std::size_t size)
 [[noreturn]] void live(int pipe, std::size_t first, std::size_t count,
                        const std::function<std::string(std::size_t)>& work)
 {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  // Who stops the program may tell all its processes: that is no crash. The batch is short, the parent stops behind it.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
   try
   {
     for (std::size_t k = first; k < count; ++k)
