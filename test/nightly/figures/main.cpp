@@ -1,5 +1,5 @@
-// The rows of issue 10's table "Figures": what was asked beside what is measured. Exit status 1 when an answer is wrong, 2 for
-// arguments that make no sense.
+// The rows of issue 10's table "Figures": what was asked beside what is measured. Exit status 1 when an answer is wrong or the
+// program was stopped, 2 for arguments that make no sense.
 
 #include <algorithm>
 #include <iostream>
@@ -73,7 +73,7 @@ int run(int argc, char** argv)
       rows.print();  // after each part, as a run may be stopped
     }
   if (Figures::stopped()) std::cout << "stopped: there is more to measure\n";
-  return rows.all_right() ? 0 : 1;
+  return rows.all_right() && !Figures::stopped() ? 0 : 1;
 }
 
 }  // namespace
