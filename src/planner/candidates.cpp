@@ -11,6 +11,8 @@ namespace
 
 /// Share of the greatest curvature that wide curves have, and the least steering angle at all, as of a robot [rad].
 constexpr double kWideCurves = 0.7, kLeastSteering = 0.01;
+/// After so many a search with few modes gives up.
+constexpr int kBriefExpansions = 100;
 /// Share of the penalties of steering and reversing that the softened costs keep.
 constexpr double kSoftened = 0.2;
 
@@ -26,6 +28,42 @@ SearchOptions time_costs(const Robot& robot, SearchOptions options, double share
   options.steering_change_penalty *= share;
   options.direction_change_penalty = stop + share * options.direction_change_penalty;
   return options;
+}
+
+/// Those that have some of the modes, the fewest first.
+std::vector<ModeSet> choices_of(const ModeSet& modes)
+{
+  std::vector<ModeSet> choices;
+  for (std::size_t count = 1; count <= kPlannedModes.size(); ++count)
+    for (unsigned bits = 1; bits < 1u << kPlannedModes.size(); ++bits)
+    {
+      ModeSet choice = ModeSet::none();
+      std::size_t size = 0;
+      for (std::size_t k = 0; k < kPlannedModes.size(); ++k)
+        if (bits >> k & 1u)
+        {
+          choice.insert(kPlannedModes[k]);
+          ++size;
+        }
+      if (size == count && (choice & modes) == choice) choices.push_back(choice);
+    }
+  return choices;
+}
+
+std::string names_of(const ModeSet& modes)
+{
+  std::string names;
+  for (Mode mode : kPlannedModes)
+    if (modes.contains(mode)) names += (names.empty() ? "" : " and ") + std::string(to_string(mode));
+  return names;
+}
+
+/// From rest to rest over a way [s].
+double least_time_over(const Robot& robot, double way)
+{
+  const double ramp = robot.max_speed * robot.max_speed / robot.max_acceleration;
+  if (way < ramp) return 2.0 * std::sqrt(way / robot.max_acceleration);
+  return way / robot.max_speed + robot.max_speed / robot.max_acceleration;
 }
 
 bool same_path(const Path& a, const Path& b)
@@ -55,14 +93,33 @@ Candidates collect(const std::vector<SearchVariant>& variants, const std::vector
 
 }  // namespace
 
-std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes)
+std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes,
+                                            Effort effort)
 {
   const ModeSet car = {kCarMode};
-  std::vector<SearchVariant> variants = {{"all modes by time", modes, time_costs(robot, options, 0.0)}};
-  if (modes.contains(kCarMode) && modes != car)
-    variants.push_back({"ackermann by time", car, time_costs(robot, options, 0.0)});
+  const SearchOptions by_time = time_costs(robot, options, 0.0);
+  std::vector<SearchVariant> variants = {{"all modes by time", modes, by_time}};
+  if (modes.contains(kCarMode) && modes != car) variants.push_back({"ackermann by time", car, by_time});
   if (modes.contains(kCarMode)) variants.push_back({"ackermann softened", car, time_costs(robot, options, kSoftened)});
+  if (effort != Effort::quick) return variants;
+  SearchOptions brief = by_time;
+  brief.max_expansions = std::min(brief.max_expansions, kBriefExpansions);
+  for (const ModeSet& fewer : choices_of(modes))
+    if (fewer != modes && fewer != car) variants.push_back({names_of(fewer) + " by time", fewer, brief});
   return variants;
+}
+
+double least_time(const Robot& robot, const Path& path)
+{
+  double time = 0.0;
+  const PathPiece* begin = nullptr;
+  for (const PathPiece& piece : path.pieces)
+  {
+    if (begin && begin->mode == piece.mode) continue;
+    if (begin) time += least_time_over(robot, distance(begin->start, piece.start)) + robot.mode_switch_time;
+    begin = &piece;
+  }
+  return begin ? time + least_time_over(robot, distance(begin->start, path.goal)) : time;
 }
 
 bool steers_slowly(const Robot& robot, const SearchOptions& options)

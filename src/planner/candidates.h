@@ -15,7 +15,7 @@ namespace fourwis
 /// One way to search.
 struct SearchVariant
 {
-  const char* name;
+  std::string name;
   ModeSet modes;
   SearchOptions options;
 };
@@ -37,9 +37,11 @@ struct Candidates
 
 /// The searches for paths that are worth optimising. The paper's costs penalise steering and reversing, which take
 /// nearly no time after the optimisation. Switches do take time. Which path is the fastest is known only after the
-/// optimisation. So there are several searches: with the requested modes and with Ackermann motion alone, both by costs
-/// that stand for time, and with Ackermann motion by softened costs.
-std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes);
+/// optimisation. So there are several searches: with the requested modes and with each choice of fewer of them, by costs
+/// that stand for time, and with Ackermann motion by softened costs. The searches with few modes give up soon, but for
+/// Ackermann motion; with more effort than a quick search they are left out.
+std::vector<SearchVariant> variants_by_time(const Robot& robot, const SearchOptions& options, const ModeSet& modes,
+                                            Effort effort);
 
 /// Whether a robot that goes at the reference speed needs a way longer than its own size to steer from one lock to the other.
 /// Between curves at full lock it has to stop then: no other motion leads to the same place.
@@ -53,6 +55,10 @@ Robot with_wide_curves(Robot robot);
 /// the first expands are appended to `expanded` where it is not null.
 Candidates find_candidates(const Search& search, const std::vector<SearchVariant>& variants, Effort effort,
                            ThreadBudget& threads, std::vector<Pose>* expanded = nullptr);
+
+/// Least time of a trajectory along a path whose switches stay where they are [s]: from rest to rest straight from one to the
+/// next, and the switches.
+double least_time(const Robot& robot, const Path& path);
 
 /// Adds what another search found.
 void add(Candidates&& more, Candidates& found);

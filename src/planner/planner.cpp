@@ -104,11 +104,11 @@ Trajectory stay_at(const Pose& pose, const ModeSet& modes)
 constexpr double kShareOfWideCurves = 0.25;
 
 /// The one variant that finds the paper's path, or those whose paths are worth optimising.
-std::vector<SearchVariant> variants(const Task& task)
+std::vector<SearchVariant> variants(const Task& task, Effort effort)
 {
   const SearchOptions& options = task.context.options.search;
   if (task.request.frontend_only || is_paper(task.context.options)) return {{"all", task.request.modes, options}};
-  return variants_by_time(task.context.robot(), options, task.request.modes);
+  return variants_by_time(task.context.robot(), options, task.request.modes, effort);
 }
 
 Candidates find_with(const Task& task, const CollisionChecker& checker, const std::vector<SearchVariant>& variants,
@@ -121,7 +121,8 @@ Candidates find_with(const Task& task, const CollisionChecker& checker, const st
 /// With wide curves; the names say so.
 Candidates find_wide_curves(const Task& task, Effort effort)
 {
-  std::vector<SearchVariant> wide = variants(task);
+  // As with more effort: not with each choice of modes.
+  std::vector<SearchVariant> wide = variants(task, Effort::both_ways);
   for (SearchVariant& variant : wide)
     variant.options.max_expansions = std::max(1, static_cast<int>(kShareOfWideCurves * variant.options.max_expansions));
   Candidates found = find_with(task, *task.wide_curves, wide, effort);
@@ -129,13 +130,14 @@ Candidates find_wide_curves(const Task& task, Effort effort)
   return found;
 }
 
-/// By quick searches both with wide curves, where those matter, and with all; by thorough ones rather with wide curves.
+/// By quick searches both with wide curves, where those matter, and with all. What takes long is tried with wide curves first.
 Candidates find_any(const Task& task, Effort effort)
 {
-  Candidates found;
-  if (task.wide_curves) found = find_wide_curves(task, effort);
+  const CollisionChecker& all = task.context.checker;
+  if (!task.wide_curves) return find_with(task, all, variants(task, effort), effort);
+  Candidates found = find_wide_curves(task, effort);
   if (effort == Effort::quick || found.status == PlanStatus::no_path)
-    add(find_with(task, task.context.checker, variants(task), effort), found);
+    add(find_with(task, all, variants(task, effort), effort), found);
   return found;
 }
 
@@ -164,14 +166,29 @@ double arrival_time(const Refinement& refinement)
   return refinement.trajectory.empty() ? std::numeric_limits<double>::infinity() : refinement.trajectory.back().t;
 }
 
-/// All paths optimised, and those polished that may become the fastest by it.
+/// So many are optimised at once before the others are held against the fastest of them.
+constexpr std::size_t kFirst = 2;
+
+double fastest(const std::vector<Refinement>& refined)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Refinement& refinement : refined) least = std::min(least, arrival_time(refinement));
+  return least;
+}
+
+/// All paths optimised that may become the fastest, and those polished that may become it by that.
 std::vector<Refinement> refine(const PlanContext& context, const std::vector<Candidate>& candidates)
 {
   const BackEnd back_end(context);
   std::vector<Refinement> refined(candidates.size());
-  context.threads.for_each(refined.size(), [&](std::size_t i) { refined[i] = back_end.refine(candidates[i].path); });
-  double least = std::numeric_limits<double>::infinity();
-  for (const Refinement& refinement : refined) least = std::min(least, arrival_time(refinement));
+  const auto refine_one = [&](std::size_t i) { refined[i] = back_end.refine(candidates[i].path); };
+  const std::size_t first = std::min(kFirst, candidates.size());
+  context.threads.for_each(first, refine_one);
+  double least = fastest(refined);
+  context.threads.for_each(candidates.size() - first, [&](std::size_t i) {
+    if (least_time(context.robot(), candidates[first + i].path) < least) refine_one(first + i);
+  });
+  least = fastest(refined);
   context.threads.for_each(refined.size(), [&](std::size_t i) {
     if (arrival_time(refined[i]) <= kWorthPolishing * least) back_end.polish(refined[i]);
   });
@@ -266,6 +283,32 @@ void try_to_plan(const Task& task, Effort effort, PlanResult& result)
     refine_and_choose(task, found, result);
 }
 
+/// The same, and where wide curves end in a part with stops also without them: the plan that arrives first.
+void try_to_plan_fast(const Question& question, const std::optional<PathPiece>& way_out, const Checkers& checkers,
+                      Effort effort, PlanResult& result)
+{
+  try_to_plan({question, way_out, checkers}, effort, result);
+  if (!checkers.wide || result.status != PlanStatus::succeeded || result.fallback_parts == 0) return;
+  PlanTrace trace;
+  const Question again = {question.world,
+                          question.options,
+                          question.request,
+                          question.asked,
+                          question.interrupt,
+                          question.threads,
+                          question.trace ? &trace : nullptr};
+  PlanResult other;
+  try_to_plan({again, way_out, {checkers.all, nullptr}}, effort, other);
+  PlanMetrics &metrics = result.metrics, &more = other.metrics;
+  const bool is_faster = other.status == PlanStatus::succeeded && more.arrival_time < metrics.arrival_time;
+  for (double PlanMetrics::*time : {&PlanMetrics::frontend_ms, &PlanMetrics::backend_ms, &PlanMetrics::verify_ms})
+    metrics.*time = more.*time += metrics.*time;
+  metrics.expansions = more.expansions += metrics.expansions;
+  if (!is_faster) return;
+  result = std::move(other);
+  if (question.trace) *question.trace = std::move(trace);
+}
+
 /// First as the paper does, with two discs for the body. Where they find nothing, by the body itself.
 PlanResult plan_between(const Question& question, const std::optional<PathPiece>& way_out)
 {
@@ -284,14 +327,14 @@ PlanResult plan_between(const Question& question, const std::optional<PathPiece>
   const Pose start = start_of(world.robot, request, way_out);
   result.status = PlanStatus::no_path;
   if (paper || (two_discs.is_free(start) && two_discs.is_free(request.goal)))
-    try_to_plan({question, way_out, {two_discs, has_wide_curves ? &wide_two_discs : nullptr}},
-                paper ? Effort::thorough : Effort::quick, result);
+    try_to_plan_fast(question, way_out, {two_discs, has_wide_curves ? &wide_two_discs : nullptr},
+                     paper ? Effort::thorough : Effort::quick, result);
   const bool found_nothing = result.status == PlanStatus::no_path || result.status == PlanStatus::goal_unreachable;
   if (found_nothing && !paper)
   {
     const CollisionChecker body(world.obstacles, world.robot, {start, request.goal});
     const CollisionChecker wide_body(world.obstacles, wide, {start, request.goal});
-    try_to_plan({question, way_out, {body, has_wide_curves ? &wide_body : nullptr}}, Effort::thorough, result);
+    try_to_plan_fast(question, way_out, {body, has_wide_curves ? &wide_body : nullptr}, Effort::thorough, result);
   }
   if (result.message.empty()) result.message = search_sentence(world, result, question.asked);
   return result;

@@ -34,8 +34,9 @@ Sample refine_first_path(const Setup& setup, const Problem& problem, const Occup
   if (!checker.is_free(problem.start) || !checker.is_free(problem.goal)) return sample;
   ThreadBudget threads;
   const Search search({checker, problem.start, problem.goal});
-  const Candidates found = find_candidates(search, variants_by_time(world.robot, setup.options.search, setup.modes),
-                                           Effort::thorough, threads);
+  const Candidates found =
+      find_candidates(search, variants_by_time(world.robot, setup.options.search, setup.modes, Effort::both_ways),
+                      Effort::thorough, threads);
   if (found.candidates.empty()) return sample;
   sample.length = found.candidates.front().path.length();
   for (int run = 0; run < setup.runs; ++run)

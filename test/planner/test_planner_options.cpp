@@ -73,7 +73,7 @@ TEST(PlannerOptions, StayInTheirRangesWhenPenaltiesBecomeTimes)
   options.direction_change_penalty = 1e5;
   check(robot);
   check(options);
-  for (const SearchVariant& variant : variants_by_time(robot, options, ModeSet()))
+  for (const SearchVariant& variant : variants_by_time(robot, options, ModeSet(), Effort::quick))
     EXPECT_NO_THROW(check(variant.options)) << variant.name;
 }
 
