@@ -437,6 +437,15 @@ Planner::Planner(const PlannerOptions& options, int threads) : options_(options)
   const ThreadBudget usable(threads_);  // or it throws
 }
 
+PlanResult Planner::judge_goal(const World& world, const Pose& goal) const
+{
+  if (!is_finite(goal)) return no_plan(PlanStatus::invalid_input, "the goal pose is not finite");
+  const Pose in_grid = GridFrame(world.grid.origin, world.robot).to_grid(goal);
+  const Endpoint end = endpoint(world, options_, in_grid);
+  if (end.clearance >= 0.0) return no_plan(PlanStatus::succeeded, "");
+  return no_plan(PlanStatus::goal_in_collision, collision_sentence(world, end, "goal", goal, in_grid));
+}
+
 PlanResult Planner::plan(const World& world, const PlanRequest& asked, const Interrupt& interrupt,
                          PlanTrace* trace) const
 {

@@ -20,7 +20,7 @@ GlobalPlanner::GlobalPlanner(const GlobalPlannerParameters& parameters)
     diagnostics_(parameters.robot, maps_, topics_),
     drive_(parameters.node.controller_patience),
     execution_(parameters.node, poses_, maps_, planner_, drive_, topics_),
-    goals_(parameters.node, poses_, execution_, topics_),
+    goals_(parameters.node, poses_, planner_, execution_, topics_),
     services_(parameters.robot, poses_, planner_, parameters.node.modes, goals_, topics_)
 {
   ros::NodeHandle node;

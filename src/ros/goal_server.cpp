@@ -12,10 +12,11 @@ const ros::Duration kFeedbackPeriod(0.1);
 
 }  // namespace
 
-GoalServer::GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, Execution& execution,
-                       PlannerTopics& topics)
+GoalServer::GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, const MapPlanner& planner,
+                       Execution& execution, PlannerTopics& topics)
   : stamp_tolerance_(options.transform_tolerance),
     poses_(poses),
+    planner_(planner),
     execution_(execution),
     topics_(topics),
     action_server_(
@@ -53,6 +54,7 @@ void GoalServer::start(const geometry_msgs::PoseStamped& asked, std::optional<Go
 {
   try
   {
+    if (is_misplaced(asked, action)) return;
     const Goal goal = accept(asked);
     active_ = action;
     publish_feedback();
@@ -63,6 +65,16 @@ void GoalServer::start(const geometry_msgs::PoseStamped& asked, std::optional<Go
     topics_.publish_refusal(asked, error.what());
     if (action) action->setAborted({}, error.what());
   }
+}
+
+bool GoalServer::is_misplaced(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action) const
+{
+  if (!worker_.is_busy()) return false;
+  const PlanResult verdict = planner_.judge_goal(poses_.to_global(asked, "goal"));
+  if (verdict.status == PlanStatus::succeeded) return false;
+  topics_.publish_refusal(asked, verdict.message, verdict.status);
+  if (action) action->setAborted({}, verdict.message);
+  return true;
 }
 
 Goal GoalServer::accept(const geometry_msgs::PoseStamped& asked) const

@@ -11,6 +11,7 @@
 #include <ros/timer.h>
 
 #include "execution.h"
+#include "map_planner.h"
 #include "plan_worker.h"
 #include "planner_topics.h"
 #include "pose_source.h"
@@ -19,14 +20,15 @@ namespace fourwis
 {
 
 /// Goals from the topic `move_base_simple/goal` and from the action `move_base`, treated alike: each is pursued on the one
-/// worker thread, and a new one takes the place of the one before. A goal that is refused for its form leaves a running
-/// one alone. Accepted goals are published on `~current_goal` in the global frame, stamped with the time from which they
+/// worker thread, and a new one takes the place of the one before. A goal that is refused for its form, or because the body is not
+/// free there, leaves a running one alone. Accepted goals are published on `~current_goal` in the global frame, stamped with the time from which they
 /// count: what a bag replays as goals.
 class GoalServer
 {
 public:
   /// All must outlive this.
-  GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, Execution& execution, PlannerTopics& topics);
+  GoalServer(const GlobalPlannerOptions& options, const PoseSource& poses, const MapPlanner& planner,
+             Execution& execution, PlannerTopics& topics);
 
   /// Ends the goal that is pursued and stops the robot; whether there was one. From the thread of the callbacks.
   bool cancel();
@@ -40,11 +42,14 @@ private:
   /// `action` is empty for a goal of the topic.
   void start(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action);
   Goal accept(const geometry_msgs::PoseStamped& asked) const;
+  /// Whether a goal is refused because of its place while another one is pursued; then it has been said.
+  bool is_misplaced(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action) const;
   void pursue(const Goal& goal, std::optional<GoalHandle> action, const std::atomic<bool>& cancelled);
   void publish_feedback();
 
   const double stamp_tolerance_;
   const PoseSource& poses_;
+  const MapPlanner& planner_;
   Execution& execution_;
   PlannerTopics& topics_;
   std::optional<GoalHandle> active_;  ///< the action goal that was accepted last, unless one of the topic came later

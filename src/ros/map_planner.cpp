@@ -9,6 +9,12 @@ MapPlanner::MapPlanner(const Planner& planner, const MapStore& maps, bool traced
     traced_(traced)
 {}
 
+PlanResult MapPlanner::judge_goal(const Pose& goal) const
+{
+  const MapStore::Snapshot map = maps_.newest();
+  return map ? planner_.judge_goal(map->world, goal) : no_plan(PlanStatus::succeeded, "");
+}
+
 PlanAnswer MapPlanner::plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const
 {
   PlanAnswer answer;

@@ -27,6 +27,9 @@ public:
   MapPlanner(const Planner& planner, const MapStore& maps, bool traced);
 
   /// Waits for a map that is being built. A map that arrives while it plans does not touch it. Never throws.
+  /// Planner::judge_goal() on the newest map; `succeeded` also where there is none yet.
+  PlanResult judge_goal(const Pose& goal) const;
+
   PlanAnswer plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const;
 
 private:

@@ -36,6 +36,12 @@ bool PlanWorker::cancel()
   return cancel_locked();
 }
 
+bool PlanWorker::is_busy() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return running_ || !waiting_.empty();
+}
+
 bool PlanWorker::cancel_locked()
 {
   for (const Job& job : waiting_) *job.cancelled = true;

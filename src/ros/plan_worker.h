@@ -32,6 +32,9 @@ public:
   /// Cancels what runs and waits; whether there was anything.
   bool cancel();
 
+  /// Whether a task runs or waits.
+  bool is_busy() const;
+
 private:
   struct Job
   {
@@ -42,7 +45,7 @@ private:
   void run();
   bool cancel_locked();
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;
   std::deque<Job> waiting_;

@@ -81,10 +81,10 @@ void PlannerTopics::publish_permit(const ros::Time& trajectory, const ros::Time&
   permit_.publish(permit);
 }
 
-void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message)
+void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message, PlanStatus why)
 {
   PlannerStatus refused = status(PlannerStatus::FAILED, goal);
-  refused.status = to_string(PlanStatus::invalid_input);
+  refused.status = to_string(why);
   refused.message = message;
   publish_status(refused);
 }

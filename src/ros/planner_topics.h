@@ -38,7 +38,8 @@ public:
   void publish_permit(const ros::Time& trajectory, const ros::Time& map_stamp, double free_until,
                       const ros::Time& heard);
   /// Status only; for input that never came to planning. An empty goal: it was about none.
-  void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message);
+  void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message,
+                       PlanStatus why = PlanStatus::invalid_input);
 
   std_msgs::Header header() const;
   fourwis_navigation::PlannerStatus last_status() const;

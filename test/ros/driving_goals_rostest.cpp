@@ -75,6 +75,18 @@ TEST_F(Goals, a_new_goal_on_the_way_is_planned_from_where_the_robot_came_to_rest
   }
 }
 
+TEST_F(Goals, a_goal_within_a_wall_is_refused_and_the_drive_goes_on)
+{
+  drive_towards(kEast);
+  const Pose misclick{19.9, 10.0, 0.0};
+  send_goal(misclick);
+  const auto refused = statuses_.wait_for([](const PlannerStatus& s) { return s.status == "goal_in_collision"; });
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->message.find("the nearest free pose is"), std::string::npos) << refused->message;
+  expect_arrival(kEast);
+  EXPECT_TRUE(trajectories_.messages().empty()) << "nothing was sent but the first trajectory";
+}
+
 TEST_F(Goals, cancel_stops_it_on_the_way_and_the_next_goal_is_driven_to)
 {
   drive_towards(kEast);

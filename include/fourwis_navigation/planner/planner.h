@@ -93,6 +93,10 @@ public:
   PlanResult plan(const World& world, const PlanRequest& request, const Interrupt& interrupt = {},
                   PlanTrace* trace = nullptr) const;
 
+  /// What plan() says of a goal at which the body overlaps an obstacle or leaves the map, in the time that a look takes;
+  /// `succeeded` where it is free. Never throws on a pose.
+  PlanResult judge_goal(const World& world, const Pose& goal) const;
+
   const PlannerOptions& options() const { return options_; }
 
 private:
