@@ -57,7 +57,7 @@ class Robot(dict):
 
     def __init__(self, path):
         super().__init__(yaml.safe_load((ROOT / 'config' / 'robot.yaml').read_text(encoding='utf-8')))
-        self.update(yaml.safe_load(pathlib.Path(path).read_text(encoding='utf-8')))
+        self.update(yaml.safe_load(pathlib.Path(path).read_text(encoding='utf-8')) or {})
 
     def __getitem__(self, key):
         return self.number(key, super().__getitem__(key))

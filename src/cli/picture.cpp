@@ -113,7 +113,8 @@ void write_iterations(std::ostream& out, const Page& page, const PlanPicture& pi
   for (const Trajectory& iteration : picture.iterations)
   {
     std::vector<Point> points;
-    for (const TrajectoryPoint& point : iteration) points.push_back({point.x, point.y});
+    for (const TrajectoryPoint& point : BaseLink(picture.robot).to_centre(iteration))
+      points.push_back({point.x, point.y});
     darkness += 0.9 / static_cast<double>(picture.iterations.size());
     out << "<path class=\"iteration\" d=\"" << polyline(page, points, false) << "\" fill=\"none\" stroke=\""
         << kIterationColour << "\" stroke-opacity=\"" << darkness << "\" stroke-width=\"1\"/>\n";

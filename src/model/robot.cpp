@@ -33,7 +33,7 @@ double twice_the_area(const std::vector<Point2>& polygon)
   return area;
 }
 
-/// Along its corners every point of a convex polygon lies on the same side, and the direction turns by one whole turn.
+/// Every corner of a convex polygon lies on the same side of each of its sides.
 bool is_convex(const std::vector<Point2>& polygon)
 {
   const double sense = twice_the_area(polygon) > 0.0 ? 1.0 : -1.0;
@@ -58,8 +58,9 @@ void check_footprint(const Robot& robot)
   if (corners.size() < 3 || corners.size() > kMostCorners)
     reject_footprint(robot, "3 to " + std::to_string(kMostCorners) + " corners, or none for the rectangle");
   for (std::size_t i = 0; i < corners.size(); ++i)
-    if (std::hypot(next_corner(corners, i).x - corners[i].x, next_corner(corners, i).y - corners[i].y) < kRounding)
-      reject_footprint(robot, "corners that differ");
+    for (std::size_t k = 0; k < i; ++k)
+      if (std::hypot(corners[k].x - corners[i].x, corners[k].y - corners[i].y) < kRounding)
+        reject_footprint(robot, "corners that differ");
   if (!is_convex(corners)) reject_footprint(robot, "a convex polygon, its corners one after the other");
   if (robot.body_length() < 0.05 || robot.body_width() < 0.05) reject_footprint(robot, "an extent of 0.05 m or more");
 }

@@ -170,6 +170,13 @@ void ControlLoop::start(const WaitingTrajectory& due)
   trajectory_ = due.stamp;
 }
 
+void ControlLoop::take_permit(const fourwis_navigation::DrivePermit& permit)
+{
+  const bool is_ours = permit.trajectory == trajectory_ || (next_ && permit.trajectory == next_->stamp);
+  const bool is_late = permit.trajectory == permit_.trajectory && permit.heard < permit_.heard;
+  if (is_ours && !is_late) permit_ = permit;
+}
+
 /// A permit that tells a stamp which this controller has not sent yet is none.
 DrivePermission ControlLoop::permission(const ros::Time& now) const
 {

@@ -54,8 +54,9 @@ public:
   std::optional<ControlStep> measured(const nav_msgs::Odometry& odometry,
                                       const fourwis_navigation::WheelStates& wheels);
 
-  /// A permit for the trajectory that is driven, or that comes next. One for another does nothing.
-  void take_permit(const fourwis_navigation::DrivePermit& permit) { permit_ = permit; }
+  /// A permit for the trajectory that is driven, or that comes next. One for another does nothing, nor does one that is older than
+  /// the last.
+  void take_permit(const fourwis_navigation::DrivePermit& permit);
 
   // Stamps of what arrives, paired or not: only to say what is missing.
   void heard_odometry(const ros::Time& stamp) { newest_odometry_ = stamp; }

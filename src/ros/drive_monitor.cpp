@@ -118,6 +118,13 @@ DriveReport DriveMonitor::report(const ros::Time& now) const
   return lost(kind_ == Kind::stop ? "has not come to rest" : "has not begun the trajectory", patience_, told_);
 }
 
+void DriveMonitor::slept_until(const ros::Time& now)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  heard_ = std::max(heard_, now);
+  due_ = std::max(due_, now);
+}
+
 ros::Time DriveMonitor::newest_stamp() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -47,6 +47,9 @@ public:
 
   DriveReport report(const ros::Time& now) const;
 
+  /// To be called when this process has been asleep until `now`: the controller's silence in that time was not its own.
+  void slept_until(const ros::Time& now);
+
   /// header.stamp of the newest report of what is driven: the controller's own clock.
   ros::Time newest_stamp() const;
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include <ros/console.h>
 #include <ros/duration.h>
 
 #include "conversions.h"
@@ -26,11 +27,10 @@ constexpr double kPermitPeriod = 0.05;
 /// A map that has been waiting longer to be built may hold anything [s].
 constexpr double kLongestMapDelay = 1.0;
 
-/// Between two looks at the controller's reports and the maps: nothing wakes this thread when they change.
-void poll_pause()
-{
-  ros::WallDuration(0.005).sleep();
-}
+/// Between two looks at the controller's reports and the maps: nothing wakes this thread when they change [s].
+constexpr double kPollPause = 0.005;
+/// A pause that took longer is time in which this process did not run [s].
+constexpr double kAsleep = 0.5;
 
 GoalOutcome outcome_of(const PlanResult& result)
 {
@@ -65,6 +65,13 @@ GoalOutcome Execution::pursue(const Goal& goal, const std::atomic<bool>& cancell
   }
 }
 
+void Execution::pause()
+{
+  const ros::WallTime before = ros::WallTime::now();
+  ros::WallDuration(kPollPause).sleep();
+  if ((ros::WallTime::now() - before).toSec() > kAsleep) monitor_.slept_until(ros::Time::now());
+}
+
 Execution::Ended Execution::come_to_rest(ActiveGoal& active)
 {
   const auto rests = [this] { return monitor_.at_rest_since(ros::Time::now()).has_value(); };
@@ -73,7 +80,7 @@ Execution::Ended Execution::come_to_rest(ActiveGoal& active)
   // A map's stamp may lie ahead, more than a clock that is replayed lags behind.
   const ros::Duration delay(options_.stop_delay);
   send_stop(std::min(active.reason_stamp, ros::Time::now() + delay) + delay);
-  for (; !active.cancelled; poll_pause())
+  for (; !active.cancelled; pause())
   {
     if (rests()) return std::nullopt;
     const DriveReport report = monitor_.report(ros::Time::now());
@@ -115,7 +122,7 @@ Execution::Ended Execution::drive(ActiveGoal& active)
 {
   MapStore::Snapshot checked;
   bool announced = false;
-  for (; !active.cancelled; poll_pause())
+  for (; !active.cancelled; pause())
   {
     const DriveReport report = monitor_.report(ros::Time::now());
     if (report.phase == DrivePhase::arrived) return arrived(active, report);
@@ -149,7 +156,12 @@ void Execution::permit(const MapSnapshot& checked, double free_until)
 {
   const ros::Time heard = monitor_.newest_stamp();
   const double since = heard.toSec() - permitted_.toSec();
-  if ((since >= 0.0 && since < kPermitPeriod && std::isinf(free_until)) || maps_.waiting() > kLongestMapDelay) return;
+  if (since >= 0.0 && since < kPermitPeriod && std::isinf(free_until)) return;
+  if (const double waiting = maps_.waiting(); waiting > kLongestMapDelay)
+  {
+    ROS_WARN_THROTTLE(1.0, "no permission to drive: a map has been waiting for %.2f s to be looked at", waiting);
+    return;
+  }
   permitted_ = heard;
   topics_.publish_permit(sent_, checked.stamp, free_until, heard);
 }

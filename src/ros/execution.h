@@ -83,6 +83,7 @@ private:
   GoalOutcome failed(const ActiveGoal& active, const std::string& message);
   GoalOutcome cancelled(const ActiveGoal& active);
   void send_stop(const ros::Time& begin);
+  void pause();
   ros::Time distinct(const ros::Time& stamp) const;
 
   const GlobalPlannerOptions options_;

@@ -57,6 +57,11 @@ Follower::Answer Follower::step(const Measurement& now, bool go)
     if (holding_ > kRestTimeout) answer.stop_reason = {"the wheels do not come to rest for %.3f s", holding_};
     return answer;
   }
+  if (!go && pace_.rate() == 0.0)
+  {
+    answer.command = come_to_rest(now);
+    return answer;
+  }
   const MpcAnswer control = mpc_.solve(*reference_, pace_, go, state);
   if (!control.usable)
     answer.stop_reason = {"the controller's problem has no solution"};
@@ -126,6 +131,15 @@ ModeMotion Follower::rest(const Measurement& now)
   ModeMotion still = ask(now, {-v / period_, 0.0}, period_);
   still.v = 0.0;
   return still;
+}
+
+/// Whatever the pose is: a robot that waits does not make up for a correction of its localisation.
+ModeMotion Follower::come_to_rest(const Measurement& now)
+{
+  const double most = robot_.max_acceleration * period_;
+  const double v = forecast_.asked(now.now + options_.command_latency).v;
+  if (std::abs(v) <= most) return rest(now);
+  return ask(now, {-std::copysign(robot_.max_acceleration, v), 0.0}, period_);
 }
 
 ModeMotion Follower::brake(const Measurement& now)

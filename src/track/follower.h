@@ -47,6 +47,7 @@ private:
   StopReason observe(const Measurement& now);
   void wait_for_robot(const MotionState& state, double period);
   ModeMotion rest(const Measurement& now);
+  ModeMotion come_to_rest(const Measurement& now);
   bool settles(const MotionState& state, const Measurement& now);
   ModeMotion ask(const Measurement& now, const MotionInput& input, double duration);
 

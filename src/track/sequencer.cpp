@@ -48,7 +48,7 @@ TrackOutput Sequencer::step(const TrackInput& input)
   if (has_next_ && rests()) observer_.restart_clock();
   const StopReason reason = observer_.observe(input);
   elapsed_ += measured_.period;
-  corrector_.pass(measured_.period);
+  if (!waits_for_) corrector_.pass(measured_.period);
   TrackOutput output;
   waits_for_ = {};
   output.command = act(input, reason);
@@ -119,7 +119,11 @@ WheelCommand Sequencer::align(const TrackInput& input)
   if (is_aligned(input.wheels))
   {
     waits_for_ = reason_to_wait(input.permission);
-    if (waits_for_) return steering_.command();
+    if (waits_for_)
+    {
+      elapsed_ = 0.0;  // they are aligned: this is no time that alignment takes
+      return steering_.command();
+    }
     enter(TrackState::driving);
     follower_.start(stretch(), steering_.range(), measured_);
     return drive(input.permission);

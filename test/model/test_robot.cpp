@@ -81,6 +81,8 @@ TEST(RobotCheck, RejectsFootprintsByName)
   const std::vector<std::pair<Corners, std::string>> cases = {
       {{{0.5, 0.3}, {-0.5, 0.3}}, "3 to 32 corners"},
       {Corners(40, {0.5, 0.3}), "3 to 32 corners"},
+      {{{0.5, 0.4}, {-0.5, 0.4}, {-0.5, -0.4}, {0.5, -0.4}, {0.5, 0.4}, {-0.5, 0.4}, {-0.5, -0.4}, {0.5, -0.4}},
+       "corners that differ"},
       {{{0.5, 0.3}, {0.5, 0.3}, {-0.5, 0.3}, {-0.5, -0.3}, {0.5, -0.3}}, "corners that differ"},
       {{{0.5, 0.4}, {0.0, 0.3}, {-0.5, 0.4}, {-0.5, -0.4}, {0.5, -0.4}}, "a convex polygon"},
       {{{0.5, 0.4}, {-0.5, -0.4}, {-0.5, 0.4}, {0.5, -0.4}}, "a convex polygon"},

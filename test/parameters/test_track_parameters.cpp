@@ -51,7 +51,7 @@ Subject<TrackOptions> subject_of()
            {"pose_timeout", [](const O& o) { return o.pose_timeout; }, {0.01, 2.0}},
            {"wheel_state_timeout", [](const O& o) { return o.wheel_state_timeout; }, {0.01, 2.0}},
            {"step_timeout", [](const O& o) { return o.step_timeout; }, {0.01, 60.0}},
-           {"permit_timeout", [](const O& o) { return o.permit_timeout; }, {0.02, 60.0}}}};
+           {"permit_timeout", [](const O& o) { return o.permit_timeout; }, {0.1, 60.0}}}};
 }
 
 INSTANTIATE_TYPED_TEST_SUITE_P(TrackFile, ParameterLaws, TrackOptions);

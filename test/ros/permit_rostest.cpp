@@ -144,6 +144,22 @@ TEST_F(Permits, that_come_again_let_it_go_on_with_the_same_trajectory)
   EXPECT_EQ(trajectories_.messages().size(), 1u);
 }
 
+TEST_F(Permits, for_another_trajectory_change_nothing)
+{
+  ros::Publisher other = node_.advertise<DrivePermit>("drive_permit", 10);
+  drive_at_full_speed();
+  tracking_.clear();
+  DrivePermit permit;
+  permit.trajectory = ros::Time(12345.0);
+  for (int k = 0; k < 50; ++k)
+  {
+    permit.heard = ros::Time::now();
+    other.publish(permit);
+    pass(0.02);
+  }
+  for (const auto& tracking : tracking_.messages()) ASSERT_GT(tracking->speed, 0.9);
+}
+
 /// Whichever thread it is: the robot does not drive into what the planner does not see.
 TEST_F(Permits, no_thread_of_the_planner_may_hang_and_leave_the_robot_blind)
 {

@@ -54,6 +54,17 @@ TEST_F(DriveMonitorTest, the_robot_is_not_known_to_rest_before_the_controller_sa
   EXPECT_EQ(monitor_.at_rest_since(now_), ros::Time(99.6));
 }
 
+TEST_F(DriveMonitorTest, a_controller_is_not_silent_while_the_planner_sleeps)
+{
+  begin_to_drive();
+  const double awake = 100.3 + 3.0 * kControllerPatience;
+  monitor_.slept_until(ros::Time(awake));
+  now_ = ros::Time(awake + 0.9 * kControllerPatience);
+  EXPECT_EQ(phase(), DrivePhase::driving);
+  now_ = ros::Time(awake + 1.1 * kControllerPatience);
+  EXPECT_EQ(phase(), DrivePhase::lost);
+}
+
 TEST_F(DriveMonitorTest, a_drive_goes_from_pending_by_driving_to_arrived)
 {
   hear(99.9, Tracking::ARRIVED, ros::Time(80.0));

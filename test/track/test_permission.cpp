@@ -99,6 +99,36 @@ TEST_F(Permission, ThatIsTooOldStopsTheRobotOnItsWayUntilItComesAgain)
   EXPECT_LT(farthest, 0.015) << "it stays on its way";
 }
 
+/// A correction of the localisation, or a push, is no reason to move.
+TEST_F(Permission, IsNeededToMakeUpForACorrectionOfThePose)
+{
+  for (double jump : {0.2, -0.2})
+  {
+    while (speed() < 0.98 * robot.max_speed) step();
+    permission.age = 1.0;
+    steps(2.0);
+    base.place(compose(base.pose(), {jump, 0.0, 0.0}));
+    const Pose there = base.pose();
+    steps(3.0);
+    EXPECT_EQ(output.state, TrackState::driving) << message;
+    EXPECT_LT(distance(base.pose(), there), 1e-3);
+    permission.age = 0.0;
+    steps(1.5);
+  }
+  expect_arrival();
+}
+
+TEST_F(Permission, IsWaitedForWithoutATimeoutOfAlignment)
+{
+  permission = {-kForever, kForever};
+  steps(7.0);
+  ASSERT_EQ(output.state, TrackState::aligning);
+  WheelState noisy = base.wheels();
+  noisy.aligned = false;
+  output = tracker.step({base.time(), base.time(), base.pose(), noisy, permission});
+  EXPECT_EQ(output.state, TrackState::aligning) << output.message;
+}
+
 /// At any time: in curves, at cusps and switches, while it begins.
 TEST_F(Permission, MayGoAndComeAtAnyTime)
 {

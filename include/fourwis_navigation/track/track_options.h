@@ -97,7 +97,7 @@ struct TrackOptions
     row("pose_timeout", o.pose_timeout, 0.01, 2.0, "s");
     row("wheel_state_timeout", o.wheel_state_timeout, 0.01, 2.0, "s");
     row("step_timeout", o.step_timeout, 0.01, 60.0, "s");
-    row("permit_timeout", o.permit_timeout, 0.02, 60.0, "s");
+    row("permit_timeout", o.permit_timeout, 0.1, 60.0, "s");
   }
 };
 
