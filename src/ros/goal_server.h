@@ -21,7 +21,8 @@ namespace fourwis
 
 /// Goals from the topic `move_base_simple/goal` and from the action `move_base`, treated alike: each is pursued on the one
 /// worker thread, and a new one takes the place of the one before. A goal that is refused for its form, or because the body is not
-/// free there, leaves a running one alone. Accepted goals are published on `~current_goal` in the global frame, stamped with the time from which they
+/// free there, leaves a running one alone. Accepted goals are published on `~current_goal` in the global frame, stamped with the
+/// time from which they
 /// count: what a bag replays as goals.
 class GoalServer
 {

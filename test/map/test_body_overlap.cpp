@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "../support/exact_polygon.h"
 #include "../support/grids.h"
 #include "../support/rectangle.h"
 
@@ -54,24 +55,6 @@ Pose any_pose(const OccupancyGrid& grid, Random& random)
 {
   const double turn = random.chance(0.3) ? random.whole(-4, 4) * M_PI_4 : random.angle();
   return compose(grid.origin, {random.between(-0.3, 5.3), random.between(-0.3, 5.3), turn});
-}
-
-/// Whether polygons overlap by more than `touch` [m]: no side of either separates them.
-bool overlap(const std::vector<Point2>& p, const std::vector<Point2>& q, double touch)
-{
-  for (const auto* polygon : {&p, &q})
-    for (std::size_t i = 0; i < polygon->size(); ++i)
-    {
-      const Point2 &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
-      const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
-      double p_low = INFINITY, p_high = -INFINITY, q_low = INFINITY, q_high = -INFINITY;
-      for (const Point2& c : p)
-        p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
-      for (const Point2& c : q)
-        q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
-      if (p_low > q_high - touch || q_low > p_high - touch) return false;
-    }
-  return true;
 }
 
 /// The polygon at a pose, in the frame of the grid.
@@ -139,7 +122,7 @@ TEST(IsClear, AgreesWithSeparatingAxesForPolygonsAnywhereAboutC)
       for (const Point2& c : corners) is_inside &= std::min(c.x, c.y) >= 0.0 && std::max(c.x, c.y) <= side;
       for (int row = 0; row < grid.height; ++row)
         for (int column = 0; column < grid.width; ++column)
-          if (grid.at(column, row) > 0 && overlap(corners, square(grid, column, row), kTouch)) collides = true;
+          if (grid.at(column, row) > 0 && overlap_depth(corners, square(grid, column, row)) > kTouch) collides = true;
       ASSERT_EQ(is_clear(map, body, placed(pose)), is_inside && !collides) << text(pose);
       ++(is_inside && !collides ? clear : blocked);
     }
@@ -163,8 +146,9 @@ TEST(OverlappedCells, AreThoseThatNoSideSeparates)
         for (int column = 0; column < grid.width; ++column)
         {
           const bool is_found = found.count({column, row}) > 0;
-          ASSERT_TRUE(is_found || !overlap(corners, square(grid, column, row), kTouch)) << column << ' ' << row;
-          ASSERT_TRUE(!is_found || overlap(corners, square(grid, column, row), 0.0)) << column << ' ' << row;
+          ASSERT_TRUE(is_found || !(overlap_depth(corners, square(grid, column, row)) > kTouch))
+              << column << ' ' << row;
+          ASSERT_TRUE(!is_found || overlap_depth(corners, square(grid, column, row)) > 0.0) << column << ' ' << row;
         }
     }
   });

@@ -10,7 +10,7 @@ namespace
 class HomePath : public testing::Test
 {
 protected:
-  HomePath() { setenv("HOME", "/home/ada lovelace", 1); }
+  HomePath() { setenv("HOME", "/people/ada lovelace", 1); }
   ~HomePath() override { setenv("HOME", before_.c_str(), 1); }
 
   const std::string before_ = std::getenv("HOME") ? std::getenv("HOME") : "";
@@ -18,9 +18,9 @@ protected:
 
 TEST_F(HomePath, ATildeAloneOrBeforeASlashIsTheHomeDirectory)
 {
-  EXPECT_EQ(expand_home("~"), "/home/ada lovelace");
-  EXPECT_EQ(expand_home("~/"), "/home/ada lovelace/");
-  EXPECT_EQ(expand_home("~/maps/my map.yaml"), "/home/ada lovelace/maps/my map.yaml");
+  EXPECT_EQ(expand_home("~"), "/people/ada lovelace");
+  EXPECT_EQ(expand_home("~/"), "/people/ada lovelace/");
+  EXPECT_EQ(expand_home("~/maps/my map.yaml"), "/people/ada lovelace/maps/my map.yaml");
 }
 
 TEST_F(HomePath, EverythingElseStaysAsItIs)

@@ -13,6 +13,26 @@
 namespace fourwis
 {
 
+/// The least distance by which one convex polygon has to be moved to overlap the other no more, along the normals of their sides
+/// [m]; negative where one of these separates them.
+inline double overlap_depth(const std::vector<Point2>& p, const std::vector<Point2>& q)
+{
+  double least = INFINITY;
+  for (const auto* polygon : {&p, &q})
+    for (std::size_t i = 0; i < polygon->size(); ++i)
+    {
+      const Point2 &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
+      const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
+      double p_low = INFINITY, p_high = -INFINITY, q_low = INFINITY, q_high = -INFINITY;
+      for (const Point2& c : p)
+        p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
+      for (const Point2& c : q)
+        q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
+      least = std::min({least, p_high - q_low, q_high - p_low});
+    }
+  return least;
+}
+
 /// The body of a robot as a polygon around base_link, against the square of each occupied cell: by separating axes.
 class ExactPolygon
 {
@@ -52,34 +72,16 @@ public:
     for (int row = cell_of(low_y, grid_.height); row <= cell_of(high_y, grid_.height); ++row)
       for (int column = cell_of(low_x, grid_.width); column <= cell_of(high_x, grid_.width); ++column)
         if (grid_.at(column, row) > 64 || grid_.at(column, row) < 0)
-          most = std::max(most, depth(body, {{column * r, row * r},
-                                             {(column + 1) * r, row * r},
-                                             {(column + 1) * r, (row + 1) * r},
-                                             {column * r, (row + 1) * r}}));
+          most = std::max(most, overlap_depth(body, {{column * r, row * r},
+                                                     {(column + 1) * r, row * r},
+                                                     {(column + 1) * r, (row + 1) * r},
+                                                     {column * r, (row + 1) * r}}));
     return most;
   }
 
   bool collides(const Pose& base_link) const { return overlap(base_link) > 1e-9; }
 
 private:
-  static double depth(const std::vector<Point2>& p, const std::vector<Point2>& q)
-  {
-    double least = INFINITY;
-    for (const auto* polygon : {&p, &q})
-      for (std::size_t i = 0; i < polygon->size(); ++i)
-      {
-        const Point2 &a = (*polygon)[i], &b = (*polygon)[(i + 1) % polygon->size()];
-        const double length = std::hypot(b.x - a.x, b.y - a.y), nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
-        double p_low = INFINITY, p_high = -INFINITY, q_low = INFINITY, q_high = -INFINITY;
-        for (const Point2& c : p)
-          p_low = std::min(p_low, nx * c.x + ny * c.y), p_high = std::max(p_high, nx * c.x + ny * c.y);
-        for (const Point2& c : q)
-          q_low = std::min(q_low, nx * c.x + ny * c.y), q_high = std::max(q_high, nx * c.x + ny * c.y);
-        least = std::min({least, p_high - q_low, q_high - p_low});
-      }
-    return least;
-  }
-
   const OccupancyGrid& grid_;
   std::vector<Point2> corners_;  ///< in base_link
 };

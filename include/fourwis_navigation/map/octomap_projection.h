@@ -28,7 +28,8 @@ void check(const HeightBand& band);
 
 /// Projects an OctoMap file (.bt or .ot) to a grid at the tree's resolution: occupied (100) where any voxel of the band is
 /// occupied, else free (0) where any is known free, else unknown (-1). Voxels that only touch the band do not count. The
-/// grid covers the known voxels of the band and lies on the tree's lattice. The path may begin with "~/". Throws MapFileError, and as check() does.
+/// grid covers the known voxels of the band and lies on the tree's lattice. The path may begin with "~/".
+/// Throws MapFileError, and as check() does.
 OccupancyGrid project_octomap_file(const std::string& path, const HeightBand& band);
 
 }  // namespace fourwis

@@ -62,7 +62,8 @@ struct TrackOutput
 
 /// Drives the wheels along a trajectory. At each switch it brakes to rest, turns the wheels and waits until they are
 /// aligned. Then it goes on, with the trajectory's clock shifted. In between a model-predictive controller follows the
-/// trajectory. Without permission it comes to rest on its way, and goes on with it. A stop is possible at any time. step() neither allocates nor locks. Deterministic: the answers depend
+/// trajectory. Without permission it comes to rest on its way, and goes on with it. A stop is
+/// possible at any time. step() neither allocates nor locks. Deterministic: the answers depend
 /// only on the calls before.
 class Tracker
 {
