@@ -70,10 +70,10 @@ void GoalServer::start(const geometry_msgs::PoseStamped& asked, std::optional<Go
 bool GoalServer::is_misplaced(const geometry_msgs::PoseStamped& asked, std::optional<GoalHandle> action) const
 {
   if (!worker_.is_busy()) return false;
-  const PlanResult verdict = planner_.judge_goal(poses_.to_global(asked, "goal"));
-  if (verdict.status == PlanStatus::succeeded) return false;
-  topics_.publish_refusal(asked, verdict.message, verdict.status);
-  if (action) action->setAborted({}, verdict.message);
+  const PlanAnswer verdict = planner_.judge_goal(poses_.to_global(asked, "goal"));
+  if (verdict.result.status == PlanStatus::succeeded) return false;
+  topics_.publish_refusal(asked, verdict);
+  if (action) action->setAborted({}, verdict.result.message);
   return true;
 }
 

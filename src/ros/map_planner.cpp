@@ -9,10 +9,15 @@ MapPlanner::MapPlanner(const Planner& planner, const MapStore& maps, bool traced
     traced_(traced)
 {}
 
-PlanResult MapPlanner::judge_goal(const Pose& goal) const
+PlanAnswer MapPlanner::judge_goal(const Pose& goal) const
 {
+  PlanAnswer answer;
+  answer.result.status = PlanStatus::succeeded;
   const MapStore::Snapshot map = maps_.newest();
-  return map ? planner_.judge_goal(map->world, goal) : no_plan(PlanStatus::succeeded, "");
+  if (!map) return answer;
+  answer.map_stamp = map->stamp;
+  answer.result = planner_.judge_goal(map->world, goal);
+  return answer;
 }
 
 PlanAnswer MapPlanner::plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const

@@ -28,7 +28,7 @@ public:
 
   /// Waits for a map that is being built. A map that arrives while it plans does not touch it. Never throws.
   /// Planner::judge_goal() on the newest map; `succeeded` also where there is none yet.
-  PlanResult judge_goal(const Pose& goal) const;
+  PlanAnswer judge_goal(const Pose& goal) const;
 
   PlanAnswer plan(const PlanRequest& request, const std::atomic<bool>& cancelled) const;
 

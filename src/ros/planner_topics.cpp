@@ -81,11 +81,19 @@ void PlannerTopics::publish_permit(const ros::Time& trajectory, const ros::Time&
   permit_.publish(permit);
 }
 
-void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message, PlanStatus why)
+void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message)
+{
+  PlanAnswer verdict;
+  verdict.result = no_plan(PlanStatus::invalid_input, message);
+  publish_refusal(goal, verdict);
+}
+
+void PlannerTopics::publish_refusal(const geometry_msgs::PoseStamped& goal, const PlanAnswer& verdict)
 {
   PlannerStatus refused = status(PlannerStatus::FAILED, goal);
-  refused.status = to_string(why);
-  refused.message = message;
+  refused.status = to_string(verdict.result.status);
+  refused.message = verdict.result.message;
+  refused.map_stamp = verdict.map_stamp;
   publish_status(refused);
 }
 

@@ -38,8 +38,9 @@ public:
   void publish_permit(const ros::Time& trajectory, const ros::Time& map_stamp, double free_until,
                       const ros::Time& heard);
   /// Status only; for input that never came to planning. An empty goal: it was about none.
-  void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message,
-                       PlanStatus why = PlanStatus::invalid_input);
+  void publish_refusal(const geometry_msgs::PoseStamped& goal, const std::string& message);
+  /// The same for a goal that was judged on a map and not planned to.
+  void publish_refusal(const geometry_msgs::PoseStamped& goal, const PlanAnswer& verdict);
 
   std_msgs::Header header() const;
   fourwis_navigation::PlannerStatus last_status() const;

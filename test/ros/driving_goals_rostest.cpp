@@ -82,6 +82,7 @@ TEST_F(Goals, a_goal_within_a_wall_is_refused_and_the_drive_goes_on)
   send_goal(misclick);
   const auto refused = statuses_.wait_for([](const PlannerStatus& s) { return s.status == "goal_in_collision"; });
   ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->map_stamp, map_message_.header.stamp);
   EXPECT_NE(refused->message.find("the nearest free pose is"), std::string::npos) << refused->message;
   expect_arrival(kEast);
   EXPECT_TRUE(trajectories_.messages().empty()) << "nothing was sent but the first trajectory";
